@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CONTOURS_H
+#define MERIDIAN_CONTOURS_H
+
+#include <meridian/Ordered_surface.h>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianContours
+/// a closed contour: the halfedges that it crosses, each from its lower end to its higher end.
+///
+/// It leaves the face of each halfedge through it, so that the higher side is always on its left.
+struct Contour
+{
+  Index level = -1;             ///< it runs between the nodes of rank `level` and `level + 1`
+  Index saddle = -1;            ///< a vertex of the saddle it belongs to, or -1
+  std::vector<Index> halfedges; ///< on the surface that was ordered
+};
+
+/// \ingroup PkgMeridianContours
+/// \returns whether halfedge `h` runs from below `level` to above it
+inline bool rises_through(const Ordered_surface& m, Index h, Index level)
+{ return m.rank[m.surface.source(h)] <= level && m.rank[m.surface.target(h)] > level; }
+
+/// \ingroup PkgMeridianContours
+/// \returns the contour at `level` through halfedge `start`
+/// \pre `rises_through(m, start, level)`
+/// \par Complexity
+/// Linear in the number of edges crossed. Every step is decided by comparing ranks, so the contour is closed and simple.
+inline Contour trace_contour(const Ordered_surface& m, Index start, Index level)
+{
+  Contour c;
+  c.level = level;
+  Index h = start;
+  do
+  {
+    c.halfedges.push_back(h);
+    const Index o = m.surface.opposite[h];
+    h = m.rank[m.surface.apex(o)] > level ? m.surface.next(o) : m.surface.prev(o);
+  } while (h != start);
+  return c;
+}
+
+/// \ingroup PkgMeridianContours
+/// \returns all contours at `level`, each once
+/// \par Complexity
+/// Linear in the size of the surface.
+inline std::vector<Contour> trace_level(const Ordered_surface& m, Index level)
+{
+  std::vector<Contour> contours;
+  std::vector<char> seen(m.surface.number_of_halfedges(), 0);
+  for (Index h = 0; h < m.surface.number_of_halfedges(); ++h)
+  {
+    if (seen[h] || m.surface.opposite[h] < 0 || !rises_through(m, h, level)) { continue; }
+    contours.push_back(trace_contour(m, h, level));
+    for (Index crossed : contours.back().halfedges) { seen[crossed] = 1; }
+  }
+  return contours;
+}
+
+/*!
+ * \ingroup PkgMeridianContours
+ *
+ * \returns the loops of all saddles, two a saddle: the two contours that meet there, at the nearest regular level on
+ *          the side where they are apart. A loop that two saddles share is given once, with the first of them.
+ *
+ * \pre all saddles are simple
+ * \throws Internal_error if the contours of a saddle are not two
+ * \par Complexity
+ * Linear in the number of edges crossed.
+ */
+inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m)
+{
+  std::vector<Contour> loops;
+  std::vector<std::array<Index, 2>> start; // a halfedge into each of the two sectors of one kind
+  for (const Critical_point& p : find_critical_points(m.surface, m.rank))
+  {
+    if (p.kind != Critical_kind::SADDLE) { continue; }
+    std::array<Index, 2> up{-1, -1}, down{-1, -1};
+    std::vector<std::pair<Index, bool>> spokes;
+    for_each_around_node(m.surface, p.vertex, [&](Index h) {
+      spokes.emplace_back(h, m.rank[m.surface.target(h)] > m.rank[p.vertex]);
+    });
+    int ups = 0, downs = 0;
+    for (std::size_t i = 0; i < spokes.size(); ++i)
+      if (spokes[i].second != spokes[(i + spokes.size() - 1) % spokes.size()].second)
+      {
+        if (spokes[i].second ? ups == 2 : downs == 2) { throw Internal_error("trace_saddle_loops: a saddle is not simple"); }
+        if (spokes[i].second) { up[ups++] = spokes[i].first; }
+        else { down[downs++] = m.surface.opposite[spokes[i].first]; }
+      }
+    const Index rank = m.rank[p.vertex];
+    const auto pair_at = [&](const std::array<Index, 2>& halfedges, Index level) {
+      Contour first = trace_contour(m, halfedges[0], level);
+      if (std::find(first.halfedges.begin(), first.halfedges.end(), halfedges[1]) != first.halfedges.end()) { return false; }
+      loops.push_back(std::move(first));
+      loops.push_back(trace_contour(m, halfedges[1], level));
+      loops[loops.size() - 2].saddle = loops.back().saddle = p.vertex;
+      return true;
+    };
+    if (!pair_at(up, rank) && !pair_at(down, rank - 1))
+      throw Internal_error("trace_saddle_loops: the contours of a saddle do not part");
+  }
+  std::vector<std::array<Index, 3>> key; // level, smallest halfedge, place
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    key.push_back({loops[i].level, *std::min_element(loops[i].halfedges.begin(), loops[i].halfedges.end()), static_cast<Index>(i)});
+  std::sort(key.begin(), key.end());
+  std::vector<char> is_repeated(loops.size(), 0);
+  for (std::size_t i = 1; i < key.size(); ++i)
+    is_repeated[key[i][2]] = key[i][0] == key[i - 1][0] && key[i][1] == key[i - 1][1];
+  std::vector<Contour> unique;
+  for (std::size_t i = 0; i < loops.size(); ++i) { if (!is_repeated[i]) { unique.push_back(std::move(loops[i])); } }
+  return unique;
+}
+
+/// \ingroup PkgMeridianContours
+/// \returns where a contour crosses halfedge `h`, as a fraction from its source, by linear interpolation of the field
+///          in the finest scale that the edge has; 1/2 where the order goes against the field
+inline double crossing_fraction(const Ordered_surface& m, Index h, Index level)
+{
+  const Index a = m.graph.node[m.surface.source(h)], b = m.graph.node[m.surface.target(h)];
+  const Index below = m.order.nodes[level], above = m.order.nodes[level + 1];
+  const Index r = std::max(m.field.region_of(a), m.field.region_of(b));
+  const double from = m.field.value_in(r, a), to = m.field.value_in(r, b);
+  const double at = (m.field.value_in(r, below) + m.field.value_in(r, above)) / 2;
+  if (!(from < to)) { return 0.5; }
+  if (!(at > from)) { return 0; }
+  if (!(at < to)) { return 1; }
+  return std::min((at - from) / (to - from), 1.);
+}
+
+/// \ingroup PkgMeridianContours
+/// \returns the length of a contour
+inline double length(const Ordered_surface& m, const Contour& c)
+{
+  Surface_curve curve;
+  curve.closed = true;
+  for (Index h : c.halfedges) { curve.points.push_back(Curve_point::on_edge(h, crossing_fraction(m, h, c.level))); }
+  return length(m.surface, curve);
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_CONTOURS_H

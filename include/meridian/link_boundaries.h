@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_LINK_BOUNDARIES_H
+#define MERIDIAN_LINK_BOUNDARIES_H
+
+#include <meridian/internal/slit_surface.h>
+#include <meridian/internal/sleeve_search.h>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianLinks
+/// how boundaries are joined.
+struct Link_options
+{
+  bool bifurcations = false; ///< whether a link may end on an earlier link
+  Index source = -1;         ///< a root vertex that the links shall pass through, or -1
+};
+
+/*!
+ * \ingroup PkgMeridianLinks
+ *
+ * joins all boundaries of a slit genus-0 surface by a tree of shortest paths, which makes it a disc.
+ *
+ * The Voronoi diagram of the boundaries is grown until its cells' contacts hold a minimum spanning tree (Kruskal
+ * 1956); it gives the pairs. Each link is then found as a strip of faces, moved and pulled until it is locally
+ * shortest, and inserted before the next, so that links never cross. The topology rests on strips of different faces
+ * that cross no seam, which always exist, and on a union-find of boundaries.
+ *
+ * A closed surface of genus 0 is opened along a path between two vertices far apart, of at least two edges.
+ *
+ * \param root the surface that `s` refines
+ * \param s the surface, whose seams are disjoint closed curves. The links are inserted and flagged.
+ * \param meridians the seams, as vertices of `s` in order
+ * \param options see there
+ *
+ * \returns the links as vertices of `s`
+ * \pre cutting `s` along its seams leaves a connected surface of genus 0
+ * \post cutting it along all seams leaves a disc
+ * \throws Internal_error if two boundaries cannot be joined
+ * \par Complexity
+ * \f$ O(n \log n) \f$, plus the size of two cells for each link that meets an earlier one
+ */
+inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
+                                                       const std::vector<std::vector<Index>>& meridians,
+                                                       const Link_options& options = Link_options())
+{
+  internal::Slit_surface slit(root, s, meridians, options.bifurcations);
+  if (options.source >= 0) { slit.add_point(options.source); }
+  if (slit.number_of_loops() < 2 && (meridians.empty() && boundary_loops(s).empty()))
+  {
+    const auto [from, to] = find_distant_nodes(s, make_node_graph(s));
+    for (Index v : {from, to}) { slit.add_point(v); }
+  }
+  std::vector<std::vector<Index>> links;
+  if (slit.number_of_loops() < 2) { return links; } // a disc already
+
+  internal::Sleeve_search search(slit);
+  for (const auto& contact : search.find_spanning_contacts())
+  {
+    if (slit.are_joined(contact.from, contact.to)) { continue; }
+    internal::Sleeve sleeve;
+    if (!search.along_cells(contact, sleeve) && !search.near(contact.from, contact.to, sleeve) && !search.anywhere(contact.from, sleeve))
+      throw Internal_error("link_boundaries: a boundary cannot be reached");
+    links.push_back(slit.insert(sleeve));
+    search.grow();
+  }
+  for (Index loop = 1; loop < slit.number_of_loops(); ++loop) // links that went elsewhere than planned
+    while (!slit.are_joined(0, loop))
+    {
+      internal::Sleeve sleeve;
+      if (!search.anywhere(loop, sleeve)) { throw Internal_error("link_boundaries: a boundary cannot be reached"); }
+      links.push_back(slit.insert(sleeve));
+      search.grow();
+    }
+  return links;
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_LINK_BOUNDARIES_H

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FILES_FORMATS_H
+#define MERIDIAN_FILES_FORMATS_H
+
+#include "read_mesh.h"
+
+namespace meridian {
+namespace files {
+
+// Each reads the bytes of one file; they throw File_error.
+Polygon_soup read_off(const std::string& bytes);
+Polygon_soup read_obj(const std::string& bytes);
+Polygon_soup read_stl(const std::string& bytes);
+Polygon_soup read_ply(const std::string& bytes);
+Polygon_soup read_vtp(const std::string& bytes);
+
+} // namespace files
+} // namespace meridian
+
+#endif // MERIDIAN_FILES_FORMATS_H

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "read_mesh.h"
+
+#include "formats.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+namespace meridian {
+namespace files {
+
+std::string read_bytes(const std::string& path)
+{
+  errno = 0;
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose); // plain files pass through
+  if (!file) { throw File_error(path + ": cannot be opened: " + (errno ? std::strerror(errno) : "out of memory")); }
+  gzbuffer(file.get(), 1 << 18);
+  std::string bytes;
+  constexpr std::size_t step = 1 << 22;
+  for (;;)
+  {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + step);
+    const int got = gzread(file.get(), bytes.data() + size, step);
+    bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));
+    int status = Z_OK;
+    const char* message = gzerror(file.get(), &status);
+    if (got < 0 || (status != Z_OK && status != Z_STREAM_END))
+      throw File_error(path + ": cannot be read: " + (status == Z_ERRNO ? std::strerror(errno) : message));
+    if (got == 0) { return bytes; }
+  }
+}
+
+std::string format_of(const std::string& path)
+{
+  std::string name = path.substr(path.find_last_of("/\\") + 1);
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0) { name.resize(name.size() - 3); }
+  const std::size_t dot = name.find_last_of('.');
+  return dot == std::string::npos ? "" : name.substr(dot + 1);
+}
+
+Polygon_soup read_mesh(const std::string& path)
+{
+  const std::string format = format_of(path);
+  using Reader = Polygon_soup (*)(const std::string&);
+  const Reader reader = format == "off"   ? read_off
+                        : format == "obj" ? read_obj
+                        : format == "stl" ? read_stl
+                        : format == "ply" ? read_ply
+                        : format == "vtp" ? read_vtp
+                                          : nullptr;
+  if (!reader) { throw File_error(path + ": unknown format '" + format + "'; use OFF, OBJ, STL, PLY or VTP, or gzip of these"); }
+  const std::string bytes = read_bytes(path);
+  if (bytes.empty()) { throw File_error(path + ": the file is empty"); }
+  try { return reader(bytes); }
+  catch (const File_error& e) { throw File_error(path + ": " + e.what()); }
+}
+
+} // namespace files
+} // namespace meridian

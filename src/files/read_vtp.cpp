@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Scanner.h"
+#include "formats.h"
+
+#include <pugixml.hpp>
+#include <zlib.h>
+
+#include <cmath>
+#include <limits>
+
+namespace meridian {
+namespace files {
+
+namespace {
+
+std::string decode_base64(std::string_view text, std::size_t& used)
+{
+  static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned buffer = 0;
+  int bits = 0, count = 0;
+  bool is_padded = false;
+  for (used = 0; used < text.size(); ++used)
+  {
+    const char c = text[used];
+    if (c == '=') { is_padded = true; ++count; continue; }
+    const std::size_t value = letters.find(c);
+    if (value == std::string::npos)
+    {
+      if (c == ' ' || c == '\n' || c == '\r' || c == '\t') { continue; }
+      throw File_error("VTP: bad base64 data");
+    }
+    if (is_padded && count % 4 == 0) { break; } // another block begins
+    ++count;
+    buffer = buffer << 6 | static_cast<unsigned>(value);
+    bits += 6;
+    if (bits >= 8)
+    {
+      bits -= 8;
+      bytes.push_back(static_cast<char>(buffer >> bits & 0xff));
+    }
+  }
+  return bytes;
+}
+
+// The arrays of a file: text, or base64 or raw bytes, in place or appended, plain or in zlib blocks.
+class Arrays
+{
+public:
+  Arrays(const pugi::xml_node& root, std::string_view appended, bool appended_is_raw)
+    : m_appended(appended), m_appended_is_raw(appended_is_raw),
+      m_header_size(std::string_view(root.attribute("header_type").value()) == "UInt64" ? 8 : 4),
+      m_is_packed(*root.attribute("compressor").value() != '\0')
+  {
+    if (std::string_view(root.attribute("byte_order").value()) == "BigEndian") { throw File_error("VTP: big-endian data is not supported"); }
+    if (m_is_packed && std::string_view(root.attribute("compressor").value()) != "vtkZLibDataCompressor")
+      throw File_error("VTP: the compressor '" + std::string(root.attribute("compressor").value()) + "' is not supported; write with zlib or none");
+  }
+
+  std::vector<double> read(const pugi::xml_node& node) const
+  {
+    const std::string_view format = node.attribute("format").value(), type = node.attribute("type").value();
+    std::vector<double> values;
+    if (format == "ascii")
+    {
+      Scanner in(node.child_value(), "VTP");
+      while (!in.at_end()) { values.push_back(in.real("a value")); }
+      return values;
+    }
+    std::string bytes;
+    if (format == "appended")
+    {
+      const std::size_t offset = static_cast<std::size_t>(node.attribute("offset").as_ullong());
+      if (offset > m_appended.size()) { throw File_error("VTP: an array lies past the end of the file"); }
+      bytes = m_appended_is_raw ? unpack(m_appended.substr(offset)) : unpack_base64(m_appended.substr(offset));
+    }
+    else { bytes = unpack_base64(node.child_value()); }
+    convert(bytes, type, values);
+    return values;
+  }
+
+private:
+  std::uint64_t header(std::string_view bytes, std::size_t i) const
+  {
+    if (bytes.size() < (i + 1) * m_header_size) { throw File_error("VTP: the file ends too early"); }
+    std::uint64_t x = 0;
+    std::memcpy(&x, bytes.data() + i * m_header_size, m_header_size);
+    return x;
+  }
+  std::string unpack_base64(std::string_view text) const
+  {
+    std::size_t first = 0;
+    while (first < text.size() && (text[first] == ' ' || text[first] == '\n' || text[first] == '\r' || text[first] == '\t')) { ++first; }
+    text.remove_prefix(first);
+    std::size_t used = 0;
+    if (!m_is_packed) { return unpack(decode_base64(text.substr(0, text.find_first_of(" \n\r\t<")), used)); }
+    // The header of packed data is encoded by itself.
+    const std::uint64_t blocks = header(decode_base64(text.substr(0, (m_header_size + 2) / 3 * 4), used), 0);
+    const std::size_t size = (m_header_size * (3 + static_cast<std::size_t>(blocks)) + 2) / 3 * 4;
+    if (size > text.size()) { throw File_error("VTP: the file ends too early"); }
+    return unpack(decode_base64(text.substr(0, size), used) + decode_base64(text.substr(size, text.substr(size).find_first_of(" \n\r\t<")), used));
+  }
+  std::string unpack(std::string_view bytes) const
+  {
+    if (!m_is_packed)
+    {
+      const std::uint64_t size = header(bytes, 0);
+      if (size > bytes.size() - m_header_size) { throw File_error("VTP: the file ends too early"); }
+      return std::string(bytes.substr(m_header_size, static_cast<std::size_t>(size)));
+    }
+    const std::uint64_t blocks = header(bytes, 0), block_size = header(bytes, 1), last_size = header(bytes, 2);
+    if (block_size > (1u << 30)) { throw File_error("VTP: a block of impossible size"); }
+    std::string result;
+    if (blocks > bytes.size() / m_header_size) { throw File_error("VTP: the file ends too early"); }
+    std::size_t at = m_header_size * (3 + static_cast<std::size_t>(blocks));
+    for (std::uint64_t b = 0; b < blocks; ++b)
+    {
+      const std::size_t packed = static_cast<std::size_t>(header(bytes, 3 + static_cast<std::size_t>(b)));
+      uLongf size = static_cast<uLongf>(b + 1 == blocks && last_size != 0 ? last_size : block_size);
+      if (at > bytes.size() || packed > bytes.size() - at) { throw File_error("VTP: the file ends too early"); }
+      const std::size_t old = result.size();
+      result.resize(old + size);
+      if (uncompress(reinterpret_cast<Bytef*>(&result[old]), &size, reinterpret_cast<const Bytef*>(bytes.data() + at), packed) != Z_OK)
+        throw File_error("VTP: packed data is damaged");
+      result.resize(old + size);
+      at += packed;
+    }
+    return result;
+  }
+  template <class Number> static void convert_as(const std::string& bytes, std::vector<double>& values)
+  {
+    values.resize(bytes.size() / sizeof(Number));
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      Number x;
+      std::memcpy(&x, bytes.data() + i * sizeof x, sizeof x);
+      values[i] = static_cast<double>(x);
+    }
+  }
+  static void convert(const std::string& bytes, std::string_view type, std::vector<double>& values)
+  {
+    if (type == "Float32") { convert_as<float>(bytes, values); }
+    else if (type == "Float64") { convert_as<double>(bytes, values); }
+    else if (type == "Int32") { convert_as<std::int32_t>(bytes, values); }
+    else if (type == "UInt32") { convert_as<std::uint32_t>(bytes, values); }
+    else if (type == "Int64") { convert_as<std::int64_t>(bytes, values); }
+    else if (type == "UInt64") { convert_as<std::uint64_t>(bytes, values); }
+    else { throw File_error("VTP: an array of type '" + std::string(type) + "' is not supported"); }
+  }
+
+  std::string_view m_appended;
+  bool m_appended_is_raw;
+  std::size_t m_header_size;
+  bool m_is_packed;
+};
+
+} // namespace
+
+Polygon_soup read_vtp(const std::string& bytes)
+{
+  // Appended raw bytes are not XML: the document is read without them.
+  std::string document = bytes;
+  std::string_view appended;
+  bool is_raw = false;
+  const std::size_t tag = bytes.find("<AppendedData");
+  if (tag != std::string::npos)
+  {
+    const std::size_t close = bytes.find('>', tag), mark = bytes.find('_', close);
+    if (mark == std::string::npos) { throw File_error("VTP: the appended data has no beginning"); }
+    is_raw = bytes.substr(tag, close - tag).find("raw") != std::string::npos;
+    appended = std::string_view(bytes).substr(mark + 1);
+    document = bytes.substr(0, tag) + "</VTKFile>";
+  }
+  pugi::xml_document xml;
+  const pugi::xml_parse_result parsed = xml.load_buffer(document.data(), document.size());
+  if (!parsed) { throw File_error("VTP: " + std::string(parsed.description()) + " at byte " + std::to_string(parsed.offset)); }
+  const pugi::xml_node root = xml.child("VTKFile");
+  if (std::string_view(root.attribute("type").value()) != "PolyData") { throw File_error("VTP: the file holds no PolyData"); }
+  const Arrays arrays(root, appended, is_raw);
+
+  Polygon_soup soup;
+  const auto index = [](double x) { return x >= 0 && x <= 2147483646. ? static_cast<std::int32_t>(x) : -1; };
+  for (const pugi::xml_node piece : root.child("PolyData").children("Piece"))
+  {
+    const auto base = static_cast<std::int32_t>(soup.points.size());
+    const std::vector<double> xyz = arrays.read(piece.child("Points").child("DataArray"));
+    if (xyz.size() % 3 != 0 || xyz.size() / 3 != piece.attribute("NumberOfPoints").as_ullong()) { throw File_error("VTP: the number of coordinates does not match the number of points"); }
+    for (std::size_t i = 0; i < xyz.size(); i += 3) { soup.points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]}); }
+    for (const char* kind : {"Polys", "Strips"})
+    {
+      const bool is_strip = kind[0] == 'S';
+      const pugi::xml_node cells = piece.child(kind);
+      if (!cells || piece.attribute((std::string("NumberOf") + kind).c_str()).as_ullong() == 0) { continue; }
+      std::vector<double> corners, ends;
+      for (const pugi::xml_node array : cells.children("DataArray"))
+      {
+        if (std::string_view(array.attribute("Name").value()) == "connectivity") { corners = arrays.read(array); }
+        if (std::string_view(array.attribute("Name").value()) == "offsets") { ends = arrays.read(array); }
+      }
+      if (ends.size() != piece.attribute((std::string("NumberOf") + kind).c_str()).as_ullong()) { throw File_error("VTP: the number of cells does not match their offsets"); }
+      std::size_t at = 0;
+      std::vector<std::int32_t> polygon;
+      for (double end : ends)
+      {
+        if (!(end >= static_cast<double>(at)) || end > static_cast<double>(corners.size())) { throw File_error("VTP: the cells' offsets do not match their corners"); }
+        polygon.clear();
+        for (; static_cast<double>(at) < end; ++at)
+        {
+          const std::int32_t i = index(corners[at]);
+          polygon.push_back(i < 0 ? -1 : i + base);
+        }
+        if (!is_strip) { soup.add_polygon(polygon.data(), polygon.size()); continue; }
+        for (std::size_t j = 2; j < polygon.size(); ++j)
+        {
+          const bool odd = j % 2 == 1;
+          const std::array<std::int32_t, 3> t{polygon[j - 2], polygon[odd ? j : j - 1], polygon[odd ? j - 1 : j]};
+          soup.add_polygon(t.data(), 3);
+        }
+      }
+    }
+  }
+  return soup;
+}
+
+} // namespace files
+} // namespace meridian
