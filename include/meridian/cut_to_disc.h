@@ -50,7 +50,9 @@ struct Disc_cut
   Critical_counts counts;
   int genus = 0, boundary_loops = 0;
   int order_rounds = 0, flat_regions = 0;
-  bool order_numbered = false, links_fell_back = false;
+  bool order_numbered = false;
+  bool links_in_plane = false;
+  std::string link_note;                         ///< why links were not taken through the plane, if asked for
   double length = 0;                             ///< of the seams
   double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
   std::vector<std::pair<Stage, double>> seconds;

@@ -1,0 +1,532 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_INTERNAL_VERIFY_CUT_H
+#define MERIDIAN_INTERNAL_VERIFY_CUT_H
+
+#include <meridian/internal/list_elements.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+namespace meridian {
+namespace verification {
+
+using Id = std::int32_t;
+
+inline Id next_side(Id s) { return s % 3 == 2 ? s - 2 : s + 1; }
+
+class Union_find
+{
+public:
+  explicit Union_find(std::size_t n) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), Id(0)); }
+  Id find(Id a)
+  {
+    while (m_parent[a] != a) { a = m_parent[a] = m_parent[m_parent[a]]; }
+    return a;
+  }
+  void join(Id a, Id b)
+  {
+    a = find(a);
+    b = find(b);
+    if (a != b) { m_parent[std::max(a, b)] = std::min(a, b); }
+  }
+
+private:
+  std::vector<Id> m_parent;
+};
+
+// Calls f(first, last) for each group of sides with the same two ends; sides with an end below 0 are left out.
+template <class Ends, class Function>
+void for_each_edge(Id sides, Id vertices, const Ends& ends, Function f)
+{
+  std::vector<Id> begin(vertices + 1, 0), bucket(sides), high(sides, -1);
+  for (Id s = 0; s < sides; ++s)
+  {
+    const auto [a, b] = ends(s);
+    if (a < 0 || b < 0) { continue; }
+    high[s] = std::max(a, b);
+    ++begin[std::min(a, b) + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Id> fill(begin.begin(), begin.end() - 1);
+  for (Id s = 0; s < sides; ++s)
+    if (high[s] >= 0)
+    {
+      const auto [a, b] = ends(s);
+      bucket[fill[std::min(a, b)]++] = s;
+    }
+  for (Id v = 0; v < vertices; ++v)
+  {
+    const auto first = bucket.begin() + begin[v], last = bucket.begin() + begin[v + 1];
+    std::sort(first, last, [&](Id a, Id b) { return high[a] != high[b] ? high[a] < high[b] : a < b; });
+    for (auto i = first, j = first; i != last; i = j)
+    {
+      while (j != last && high[*j] == high[*i]) { ++j; }
+      f(i, j);
+    }
+  }
+}
+
+// Euler characteristics and boundary loops of triangles glued along `twin`, by classes of faces.
+struct Counts { std::vector<int> vertices, edges, faces, loops; };
+
+template <class Class_of>
+Counts count_glued(Id faces, const std::vector<Id>& twin, int classes, const Class_of& class_of, Union_find& fans)
+{
+  Counts c{std::vector<int>(classes, 0), std::vector<int>(classes, 0), std::vector<int>(classes, 0), std::vector<int>(classes, 0)};
+  Union_find loops(3 * static_cast<std::size_t>(faces));
+  std::vector<char> is_on_boundary(3 * static_cast<std::size_t>(faces), 0);
+  for (Id s = 0; s < 3 * faces; ++s)
+  {
+    c.edges[class_of(s / 3)] += twin[s] < s; // an edge counts with its higher side, or its only one
+    if (fans.find(s) == s) { ++c.vertices[class_of(s / 3)]; }
+    if (twin[s] < 0)
+    {
+      loops.join(fans.find(s), fans.find(next_side(s)));
+      is_on_boundary[fans.find(s)] = is_on_boundary[fans.find(next_side(s))] = 1;
+    }
+  }
+  for (Id f = 0; f < faces; ++f) { ++c.faces[class_of(f)]; }
+  for (Id s = 0; s < 3 * faces; ++s) { c.loops[class_of(s / 3)] += is_on_boundary[s] && loops.find(s) == s; }
+  return c;
+}
+
+class Verifier
+{
+public:
+  Verifier(const Polygon_soup& input, const Result_mesh& result) : m_input(input), m_result(result) {}
+
+  Verification run()
+  {
+    read_input();
+    if (!check_arrays()) { return std::move(m_report); }
+    check_vertices();
+    if (!find_triangles()) { return std::move(m_report); }
+    check_subdivision();
+    check_glueing();
+    check_discs();
+    return std::move(m_report);
+  }
+
+private:
+  template <class Element> void fail(const char* what, std::vector<Element> elements)
+  {
+    if (elements.empty()) { return; }
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    m_report.failures.push_back(internal::list_elements(what, elements));
+  }
+
+  // Which triangles the input has, how they are glued, and what that counts. An edge glues its sides if it has two; of an
+  // edge with more, two sides whose corners lie in the same fans at both ends, if they are the only two.
+  void read_input()
+  {
+    std::vector<char> is_dropped(m_input.number_of_polygons(), 0);
+    std::vector<Id> sorted;
+    for (std::size_t i = 0; i < m_input.number_of_polygons(); ++i)
+    {
+      sorted.assign(m_input.corners.begin() + m_input.begin[i], m_input.corners.begin() + m_input.begin[i + 1]);
+      std::sort(sorted.begin(), sorted.end());
+      is_dropped[i] = sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
+    }
+    m_first_triangle.assign(m_input.number_of_polygons() + 1, 0);
+    for_each_triangle(m_input, [&](Id, Id polygon, Id a, Id b, Id c) {
+      m_triangles.push_back({a, b, c});
+      m_is_used.push_back(!is_dropped[polygon]);
+      ++m_first_triangle[polygon + 1];
+    });
+    std::partial_sum(m_first_triangle.begin(), m_first_triangle.end(), m_first_triangle.begin());
+    const Id n = static_cast<Id>(m_triangles.size());
+    m_twin.assign(3 * static_cast<std::size_t>(n), -1);
+    Union_find fans(3 * static_cast<std::size_t>(n));
+    std::vector<std::vector<Id>> crowded;
+    for_each_edge(3 * n, static_cast<Id>(m_input.points.size()), [&](Id s) { return input_ends(s); }, [&](auto i, auto j) {
+      if (j - i == 2) { glue(*i, *(i + 1), fans); }
+      else if (j - i > 2) { crowded.emplace_back(i, j); }
+    });
+    for (const auto& sides : crowded)
+    {
+      std::vector<std::array<Id, 3>> key;
+      for (Id s : sides)
+      {
+        const Id a = fans.find(s), b = fans.find(next_side(s));
+        const bool low_first = input_ends(s).first < input_ends(s).second;
+        key.push_back({low_first ? a : b, low_first ? b : a, s});
+      }
+      std::sort(key.begin(), key.end());
+      for (std::size_t i = 0, j; i < key.size(); i = j)
+      {
+        for (j = i; j < key.size() && key[j][0] == key[i][0] && key[j][1] == key[i][1]; ++j) {}
+        if (j - i == 2) { glue(key[i][2], key[i + 1][2], fans); }
+      }
+    }
+    Union_find parts(n);
+    for (Id s = 0; s < 3 * n; ++s) { if (m_twin[s] >= 0) { parts.join(s / 3, m_twin[s] / 3); } }
+    m_component.assign(n, -1);
+    int components = 0;
+    for (Id t = 0; t < n; ++t)
+    {
+      if (!m_is_used[t]) { continue; }
+      m_component[t] = parts.find(t) == t ? components++ : m_component[parts.find(t)];
+    }
+    m_report.components.resize(components);
+    const Counts c = count_glued(n, m_twin, components + 1, [&](Id t) { return m_component[t] < 0 ? components : m_component[t]; }, fans);
+    for (int i = 0; i < components; ++i)
+    {
+      Component_count& count = m_report.components[i];
+      count.vertices = c.vertices[i];
+      count.edges = c.edges[i];
+      count.faces = c.faces[i];
+      count.euler_characteristic = c.vertices[i] - c.edges[i] + c.faces[i];
+      count.boundary_loops = c.loops[i];
+      count.genus = (2 - count.euler_characteristic - count.boundary_loops) / 2;
+    }
+  }
+
+  std::pair<Id, Id> input_ends(Id s) const
+  {
+    if (!m_is_used[s / 3]) { return {-1, -1}; }
+    return {m_triangles[s / 3][s % 3], m_triangles[s / 3][next_side(s) % 3]};
+  }
+
+  void glue(Id a, Id b, Union_find& fans)
+  {
+    m_twin[a] = b;
+    m_twin[b] = a;
+    const bool opposite = input_ends(a).first == input_ends(b).second;
+    fans.join(a, opposite ? next_side(b) : b);
+    fans.join(next_side(a), opposite ? b : next_side(b));
+  }
+
+  bool check_arrays()
+  {
+    const Result_mesh& r = m_result;
+    const std::size_t vertices = r.points.size(), faces = r.faces.size(), n = m_input.points.size();
+    const std::size_t before = m_report.failures.size();
+    const auto expect = [&](bool holds, const std::string& text) { if (!holds) { m_report.failures.push_back(text); } };
+    expect(r.copy_of.size() == vertices && r.origin.size() == vertices,
+           "the map is not of this mesh: it has " + std::to_string(r.copy_of.size()) + " and " + std::to_string(r.origin.size())
+             + " entries for vertices, the mesh has " + std::to_string(vertices) + " vertices");
+    expect(r.face_of.size() == faces && r.component_of.size() == faces,
+           "the map is not of this mesh: it has " + std::to_string(r.face_of.size()) + " and " + std::to_string(r.component_of.size())
+             + " entries for faces, the mesh has " + std::to_string(faces) + " faces");
+    expect(vertices >= n, "the result has " + std::to_string(vertices) + " vertices, fewer than the input's " + std::to_string(n));
+    if (m_report.failures.size() != before) { return false; }
+    const auto in = [](Id i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; };
+    std::vector<Id> bad_faces, bad_vertices, bad_seams;
+    for (std::size_t f = 0; f < faces; ++f)
+    {
+      const auto& c = r.faces[f];
+      if (!in(c[0], vertices) || !in(c[1], vertices) || !in(c[2], vertices) || c[0] == c[1] || c[1] == c[2] || c[0] == c[2]
+          || !in(r.face_of[f], m_input.number_of_polygons()) || !in(r.component_of[f], m_report.components.size()))
+        bad_faces.push_back(static_cast<Id>(f));
+    }
+    for (std::size_t v = 0; v < vertices; ++v)
+    {
+      const Result_origin& o = r.origin[v];
+      const bool good = o.kind == Result_origin::VERTEX ? in(o.index[0], n)
+                        : o.kind == Result_origin::EDGE ? in(o.index[0], n) && in(o.index[1], n) && o.index[0] < o.index[1]
+                                                        : in(o.index[0], m_triangles.size());
+      if (!good || r.copy_of[v] < -1 || r.copy_of[v] >= static_cast<Id>(v)) { bad_vertices.push_back(static_cast<Id>(v)); }
+    }
+    for (std::size_t i = 0; i < r.seams.size(); ++i)
+      if (!in(r.seams[i][0], 3 * faces) || !in(r.seams[i][1], 3 * faces)) { bad_seams.push_back(static_cast<Id>(i)); }
+    fail("faces repeat a vertex or have an index out of range", bad_faces);
+    fail("vertices have a copy or an origin out of range", bad_vertices);
+    fail("seams have a side out of range", bad_seams);
+    return m_report.failures.size() == before;
+  }
+
+  Id root(Id v) const { return m_result.copy_of[v] < 0 ? v : m_result.copy_of[v]; }
+  Id corner(Id side) const { return m_result.faces[side / 3][side % 3]; }
+
+  void check_vertices()
+  {
+    const Result_mesh& r = m_result;
+    const std::size_t n = m_input.points.size();
+    std::vector<Id> moved, wrong_copies, misplaced, doubled, fresh;
+    for (std::size_t i = 0; i < r.points.size(); ++i)
+    {
+      const Id v = static_cast<Id>(i);
+      const auto p = position_of(r.origin[v], m_input.points, [&](Id t) -> const std::array<Id, 3>& { return m_triangles[t]; });
+      if (std::memcmp(p.data(), r.points[v].data(), sizeof p) != 0) { moved.push_back(v); }
+      if (r.copy_of[v] >= 0)
+      {
+        if (i < n || r.copy_of[r.copy_of[v]] >= 0 || !(r.origin[v] == r.origin[r.copy_of[v]])) { wrong_copies.push_back(v); }
+        continue;
+      }
+      const bool is_files = r.origin[v].kind == Result_origin::VERTEX && r.origin[v].index[0] == v;
+      if (i < n ? !is_files : r.origin[v].kind == Result_origin::VERTEX) { misplaced.push_back(v); }
+      if (i >= n) { fresh.push_back(v); }
+    }
+    const auto key = [&](Id v) { return std::make_pair(std::make_pair(static_cast<int>(r.origin[v].kind), r.origin[v].index), r.origin[v].weight); };
+    std::sort(fresh.begin(), fresh.end(), [&](Id a, Id b) { return key(a) < key(b); });
+    for (std::size_t i = 1; i < fresh.size(); ++i) { if (key(fresh[i - 1]) == key(fresh[i])) { doubled.push_back(fresh[i]); } }
+    fail("vertices are not at the position of their origin", moved);
+    fail("vertices are copies of the wrong vertex", wrong_copies);
+    fail("vertices do not stand in the order of the input", misplaced);
+    fail("vertices stand twice without being copies", doubled);
+  }
+
+  // The sides of triangle t that an origin lies on, as bits; -1 if it does not lie on the triangle.
+  int sides_of(const Result_origin& o, Id t) const
+  {
+    const auto& c = m_triangles[t];
+    if (o.kind == Result_origin::FACE) { return o.index[0] == t ? 0 : -1; }
+    int at[2] = {-1, -1};
+    for (int k = 0; k < 3; ++k)
+      for (int e = 0; e < 2; ++e) { if (c[k] == o.index[e]) { at[e] = k; } }
+    if (at[0] < 0 || (o.kind == Result_origin::EDGE && at[1] < 0)) { return -1; }
+    if (o.kind == Result_origin::VERTEX) { return 1 << at[0] | 1 << (at[0] + 2) % 3; }
+    return (at[0] + 1) % 3 == at[1] ? 1 << at[0] : 1 << at[1];
+  }
+
+  bool find_triangles()
+  {
+    const Id faces = static_cast<Id>(m_result.faces.size());
+    m_triangle_of.assign(faces, -1);
+    std::vector<Id> off, missing;
+    std::vector<char> is_covered(m_triangles.size(), 0);
+    for (Id f = 0; f < faces; ++f)
+    {
+      const Id polygon = m_result.face_of[f];
+      for (Id t = m_first_triangle[polygon]; t < m_first_triangle[polygon + 1] && m_triangle_of[f] < 0; ++t)
+      {
+        if (!m_is_used[t]) { continue; }
+        int common = 7;
+        bool is_on = true;
+        for (Id v : m_result.faces[f])
+        {
+          const int sides = sides_of(m_result.origin[v], t);
+          is_on = is_on && sides >= 0;
+          common &= sides;
+        }
+        if (is_on && common == 0) { m_triangle_of[f] = t; } // three corners on one side have no area
+      }
+      if (m_triangle_of[f] < 0) { off.push_back(f); }
+      else { is_covered[m_triangle_of[f]] = 1; }
+    }
+    std::size_t polygon = 0;
+    for (std::size_t t = 0; t < m_triangles.size(); ++t)
+    {
+      while (m_first_triangle[polygon + 1] <= static_cast<Id>(t)) { ++polygon; }
+      if (m_is_used[t] && !is_covered[t]) { missing.push_back(static_cast<Id>(polygon)); }
+    }
+    fail("faces do not lie on the face of the input that the map gives them", off);
+    fail("faces of the input are missing from the result", missing);
+    return off.empty();
+  }
+
+  // Finds for every side of the result the side next to it on the input: within a triangle, or across an edge that glues.
+  void check_subdivision()
+  {
+    const Id faces = static_cast<Id>(m_result.faces.size()), triangles = static_cast<Id>(m_triangles.size());
+    m_mate.assign(3 * static_cast<std::size_t>(faces), -1);
+    std::vector<Id> input_side(3 * static_cast<std::size_t>(faces), -1); // the side of the triangle that a side lies on
+    std::vector<Id> turned, broken, holes, glued_wrong;
+    for (Id s = 0; s < 3 * faces; ++s)
+    {
+      const Id t = m_triangle_of[s / 3];
+      const int common = sides_of(m_result.origin[corner(s)], t) & sides_of(m_result.origin[corner(next_side(s))], t);
+      if (common != 0) { input_side[s] = 3 * t + (common == 1 ? 0 : common == 2 ? 1 : 2); }
+    }
+    const auto root_ends = [&](Id s) { return std::make_pair(root(corner(s)), root(corner(next_side(s)))); };
+    for_each_edge(3 * faces, static_cast<Id>(m_result.points.size()), root_ends, [&](auto i, auto j) {
+      for (auto a = i; a != j; ++a)
+        for (auto b = std::next(a); b != j; ++b)
+        {
+          const bool inside = input_side[*a] < 0 && input_side[*b] < 0 && m_triangle_of[*a / 3] == m_triangle_of[*b / 3];
+          const bool across = input_side[*a] >= 0 && input_side[*b] >= 0 && m_twin[input_side[*a]] == input_side[*b];
+          if (!inside && !across) { continue; }
+          if (m_mate[*a] >= 0 || m_mate[*b] >= 0) { broken.push_back(*a / 3); }
+          if (root_ends(*a).first == root_ends(*b).first) { turned.push_back(*b / 3); }
+          m_mate[*a] = *b;
+          m_mate[*b] = *a;
+        }
+    });
+    for (Id s = 0; s < 3 * faces; ++s)
+      if (m_mate[s] < 0 && (input_side[s] < 0 || m_twin[input_side[s]] >= 0)) { holes.push_back(s / 3); }
+
+    // The parts of each triangle: connected, Euler characteristic 1, and each side of the triangle divided from end to end.
+    std::vector<Id> begin(triangles + 1, 0), order(faces);
+    for (Id t : m_triangle_of) { ++begin[t + 1]; }
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    std::vector<Id> fill(begin.begin(), begin.end() - 1);
+    for (Id f = 0; f < faces; ++f) { order[fill[m_triangle_of[f]]++] = f; }
+    Union_find parts(faces);
+    for (Id s = 0; s < 3 * faces; ++s)
+      if (input_side[s] < 0 && m_mate[s] >= 0) { parts.join(s / 3, m_mate[s] / 3); }
+    std::vector<Id> corners;
+    struct Part { int side; double from, to; Id first, last; };
+    std::vector<Part> rim;
+    for (Id t = 0; t < triangles; ++t)
+    {
+      if (begin[t] == begin[t + 1]) { continue; }
+      corners.clear();
+      rim.clear();
+      int inner = 0;
+      bool is_disc = true;
+      for (Id i = begin[t]; i < begin[t + 1]; ++i)
+        for (Id s = 3 * order[i]; s < 3 * order[i] + 3; ++s)
+        {
+          is_disc = is_disc && parts.find(s / 3) == parts.find(order[begin[t]]);
+          corners.push_back(root(corner(s)));
+          if (input_side[s] < 0) { ++inner; continue; }
+          const int k = input_side[s] % 3;
+          Part p{k, along(corner(s), t, k), along(corner(next_side(s)), t, k), root(corner(s)), root(corner(next_side(s)))};
+          rim.push_back(p);
+        }
+      const bool forward = rim.empty() || rim.front().from < rim.front().to;
+      for (Part& p : rim)
+      {
+        if ((p.from < p.to) != forward) { turned.push_back(order[begin[t]]); }
+        if (!(p.from < p.to)) { std::swap(p.from, p.to); std::swap(p.first, p.last); }
+      }
+      std::sort(rim.begin(), rim.end(), [](const Part& a, const Part& b) { return a.side != b.side ? a.side < b.side : a.from < b.from; });
+      for (std::size_t i = 0; i < rim.size(); ++i)
+      {
+        const bool first = i == 0 || rim[i - 1].side != rim[i].side, last = i + 1 == rim.size() || rim[i + 1].side != rim[i].side;
+        if (first ? rim[i].first != m_triangles[t][rim[i].side] : rim[i].first != rim[i - 1].last) { is_disc = false; }
+        if (last && rim[i].last != m_triangles[t][(rim[i].side + 1) % 3]) { is_disc = false; }
+        if (!(rim[i].from < rim[i].to)) { is_disc = false; }
+      }
+      std::sort(corners.begin(), corners.end());
+      const int vertices = static_cast<int>(std::unique(corners.begin(), corners.end()) - corners.begin());
+      const int edges = static_cast<int>(rim.size()) + inner / 2, parts_of_t = begin[t + 1] - begin[t];
+      if (rim.size() < 3 || inner % 2 != 0 || vertices - edges + parts_of_t != 1) { is_disc = false; }
+      if (!is_disc) { broken.push_back(order[begin[t]]); }
+    }
+    fail("faces are turned against their neighbours", turned);
+    fail("faces lack a neighbour that the input has", holes);
+    fail("faces of the input are not divided into a disc; it begins with faces of the result", broken);
+  }
+
+  // How far along side k of triangle t a vertex lies.
+  double along(Id v, Id t, int k) const
+  {
+    const Result_origin& o = m_result.origin[v];
+    if (o.kind == Result_origin::VERTEX) { return o.index[0] == m_triangles[t][k] ? 0 : 1; }
+    return o.index[0] == m_triangles[t][k] ? o.weight[0] : 1 - o.weight[0];
+  }
+
+  // Shared edges and seams are exactly the edges of the input's subdivision that are not on its boundary.
+  void check_glueing()
+  {
+    const Id faces = static_cast<Id>(m_result.faces.size());
+    m_result_twin.assign(3 * static_cast<std::size_t>(faces), -1);
+    std::vector<Id> crowded, wrong, unlisted, repeated, superfluous, against;
+    for_each_edge(3 * faces, static_cast<Id>(m_result.points.size()),
+                  [&](Id s) { return std::make_pair(corner(s), corner(next_side(s))); }, [&](auto i, auto j) {
+      if (j - i > 2) { for (auto s = i; s != j; ++s) { crowded.push_back(*s / 3); } }
+      if (j - i != 2) { return; }
+      const Id a = *i, b = *(i + 1);
+      if (corner(a) == corner(b)) { against.push_back(b / 3); }
+      m_result_twin[a] = b;
+      m_result_twin[b] = a;
+    });
+    std::vector<Id> seam(3 * static_cast<std::size_t>(faces), -1);
+    for (std::size_t i = 0; i < m_result.seams.size(); ++i)
+    {
+      const auto [a, b] = m_result.seams[i];
+      if (a == b || seam[a] >= 0 || seam[b] >= 0) { repeated.push_back(static_cast<Id>(i)); continue; }
+      seam[a] = b;
+      seam[b] = a;
+      if (m_result_twin[a] >= 0 || m_result_twin[b] >= 0) { superfluous.push_back(static_cast<Id>(i)); }
+      else if (m_mate[a] != b) { wrong.push_back(static_cast<Id>(i)); }
+    }
+    std::vector<Id> wrong_neighbours;
+    for (Id s = 0; s < 3 * faces; ++s)
+    {
+      if (m_result_twin[s] >= 0) { if (m_result_twin[s] != m_mate[s]) { wrong_neighbours.push_back(s / 3); } }
+      else if (m_mate[s] >= 0 && seam[s] < 0) { unlisted.push_back(s / 3); }
+    }
+    fail("faces share an edge with two or more others", crowded);
+    fail("faces run along an edge in the direction of their neighbour", against);
+    fail("faces share an edge with a face that is not their neighbour on the input", wrong_neighbours);
+    fail("faces are cut from a neighbour without a seam", unlisted);
+    fail("seams use a side that another seam uses", repeated);
+    fail("seams join sides that are not cut", superfluous);
+    fail("seams join sides that were not one edge of the input", wrong);
+
+    const int components = static_cast<int>(m_report.components.size());
+    std::vector<Id> glued(m_result_twin);
+    for (Id s = 0; s < 3 * faces; ++s) { if (glued[s] < 0) { glued[s] = seam[s]; } }
+    Union_find fans(3 * static_cast<std::size_t>(faces));
+    for (Id s = 0; s < 3 * faces; ++s)
+      if (glued[s] > s)
+      {
+        fans.join(s, next_side(glued[s]));
+        fans.join(next_side(s), glued[s]);
+      }
+    const Counts c = count_glued(faces, glued, components, [&](Id f) { return m_component[m_triangle_of[f]]; }, fans);
+    std::vector<Id> different, mislabelled;
+    for (int i = 0; i < components; ++i)
+    {
+      Component_count& count = m_report.components[i];
+      count.glued_euler_characteristic = c.vertices[i] - c.edges[i] + c.faces[i];
+      count.glued_boundary_loops = c.loops[i];
+      if (count.glued_euler_characteristic != count.euler_characteristic || count.glued_boundary_loops != count.boundary_loops) { different.push_back(i); }
+    }
+    for (Id f = 0; f < faces; ++f) { if (m_result.component_of[f] != m_component[m_triangle_of[f]]) { mislabelled.push_back(f); } }
+    fail("components have another Euler characteristic or number of boundary loops than the input once the seams are glued", different);
+    fail("faces are said to lie in a component that they do not lie in", mislabelled);
+  }
+
+  void check_discs()
+  {
+    const Id faces = static_cast<Id>(m_result.faces.size());
+    Union_find fans(3 * static_cast<std::size_t>(faces)), parts(faces);
+    for (Id s = 0; s < 3 * faces; ++s)
+    {
+      const Id o = m_result_twin[s];
+      if (o < s) { continue; }
+      parts.join(s / 3, o / 3);
+      const bool opposite = corner(s) == corner(next_side(o));
+      fans.join(s, opposite ? next_side(o) : o);
+      fans.join(next_side(s), opposite ? o : next_side(o));
+    }
+    const int components = static_cast<int>(m_report.components.size());
+    const Counts c = count_glued(faces, m_result_twin, components, [&](Id f) { return m_component[m_triangle_of[f]]; }, fans);
+    std::vector<Id> pinched, not_discs;
+    std::vector<char> has_fan(m_result.points.size(), 0);
+    for (Id s = 0; s < 3 * faces; ++s)
+    {
+      if (fans.find(s) != s) { continue; }
+      if (has_fan[corner(s)]) { pinched.push_back(corner(s)); }
+      has_fan[corner(s)] = 1;
+    }
+    for (Id f = 0; f < faces; ++f) { m_report.components[m_component[m_triangle_of[f]]].discs += parts.find(f) == f; }
+    for (int i = 0; i < components; ++i)
+    {
+      Component_count& count = m_report.components[i];
+      count.disc_euler_characteristic = c.vertices[i] - c.edges[i] + c.faces[i];
+      count.disc_boundary_loops = c.loops[i];
+      if (count.discs != 1 || count.disc_euler_characteristic != 1 || count.disc_boundary_loops != 1) { not_discs.push_back(i); }
+    }
+    fail("vertices are pinched: their faces form several fans", pinched);
+    fail("components of the input did not become one disc", not_discs);
+  }
+
+  const Polygon_soup& m_input;
+  const Result_mesh& m_result;
+  Verification m_report;
+  // The input.
+  std::vector<std::array<Id, 3>> m_triangles;
+  std::vector<char> m_is_used;          // of each triangle: not part of a face that repeats a vertex
+  std::vector<Id> m_first_triangle;     // of each polygon
+  std::vector<Id> m_twin;               // of each side of a triangle
+  std::vector<Id> m_component;          // of each triangle
+  // The result.
+  std::vector<Id> m_triangle_of;        // of each face
+  std::vector<Id> m_mate;               // of each side: its neighbour on the input
+  std::vector<Id> m_result_twin;        // of each side: its neighbour in the result
+};
+
+} // namespace verification
+
+inline Verification verify_cut(const Polygon_soup& input, const Result_mesh& result)
+{ return verification::Verifier(input, result).run(); }
+
+} // namespace meridian
+
+#endif // MERIDIAN_INTERNAL_VERIFY_CUT_H

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_COMMANDS_H
+#define MERIDIAN_COMMANDS_H
+
+#include <meridian/cut_to_disc.h>
+
+#include <string>
+#include <vector>
+
+namespace meridian {
+namespace program {
+
+// The exit statuses of the program.
+enum Exit_status { VERIFIED = 0, UNUSABLE_INPUT = 1, NOT_VERIFIED = 2, NUMERICAL_FAILURE = 3, WRONG_USAGE = 64, INTERRUPTED = 130 };
+
+// An option whose value does not fit the mesh.
+struct Usage_error : std::runtime_error { using std::runtime_error::runtime_error; };
+
+// What all subcommands share.
+struct Common_arguments
+{
+  std::string report; // a path, or empty
+  bool quiet = false;
+  bool repair = false;
+};
+
+struct Info_arguments : Common_arguments { std::vector<std::string> meshes; };
+
+struct Cut_arguments : Common_arguments
+{
+  std::string mesh, out, view, curves;
+  std::vector<Index> minima, maxima; // vertices of the file
+  Index source = -1;
+  std::string weights = "positive", prefer = "gaussian-curvature", links = "surface";
+  std::vector<double> direction{0, 0, 1};
+  bool bifurcations = false;
+};
+
+struct Verify_arguments : Common_arguments { std::string mesh, result; };
+
+int run_info(const Info_arguments& arguments);
+int run_cut(const Cut_arguments& arguments);
+int run_verify(const Verify_arguments& arguments);
+
+// Set by an interrupting signal; the run then ends at its next step.
+bool is_interrupted();
+
+} // namespace program
+} // namespace meridian
+
+#endif // MERIDIAN_COMMANDS_H

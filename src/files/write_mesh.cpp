@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "write_mesh.h"
+
+#include "read_mesh.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <map>
+
+namespace meridian {
+namespace files {
+
+namespace {
+
+class Text
+{
+public:
+  Text& operator<<(const char* s) { m_text += s; return *this; }
+  Text& operator<<(const std::string& s) { m_text += s; return *this; }
+  Text& operator<<(char c) { m_text += c; return *this; }
+  template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>> Text& operator<<(Number x)
+  {
+    char digits[40];
+    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, x);
+    static_cast<void>(error); // 40 characters hold every number
+    m_text.append(digits, end);
+    return *this;
+  }
+  template <class Range, class Write> Text& list(const Range& range, const Write& write)
+  {
+    m_text += '[';
+    bool first = true;
+    for (const auto& x : range)
+    {
+      if (!first) { m_text += ','; }
+      first = false;
+      write(x);
+    }
+    m_text += ']';
+    return *this;
+  }
+  std::string take() { return std::move(m_text); }
+
+private:
+  std::string m_text;
+};
+
+std::string format_off(const Result_mesh& m)
+{
+  Text out;
+  out << "OFF\n" << m.points.size() << ' ' << m.faces.size() << " 0\n";
+  for (const auto& p : m.points) { out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
+  for (const auto& f : m.faces) { out << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n'; }
+  return out.take();
+}
+
+std::string format_obj(const Result_mesh& m)
+{
+  Text out;
+  for (const auto& p : m.points) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
+  for (const auto& f : m.faces) { out << "f " << f[0] + 1 << ' ' << f[1] + 1 << ' ' << f[2] + 1 << '\n'; }
+  return out.take();
+}
+
+std::string format_ply(const Result_mesh& m)
+{
+  Text head;
+  head << "ply\nformat binary_little_endian 1.0\nelement vertex " << m.points.size()
+       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << m.faces.size()
+       << "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string out = head.take();
+  const std::size_t begin = out.size();
+  out.resize(begin + m.points.size() * 24 + m.faces.size() * 13);
+  char* at = &out[begin];
+  for (const auto& p : m.points)
+  {
+    std::memcpy(at, p.data(), 24);
+    at += 24;
+  }
+  for (const auto& f : m.faces)
+  {
+    *at++ = 3;
+    std::memcpy(at, f.data(), 12);
+    at += 12;
+  }
+  return out;
+}
+
+std::string format_vtp(const Result_mesh& m)
+{
+  Text out;
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\""
+      << m.points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << m.faces.size()
+      << "\">\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  for (const auto& p : m.points) { out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
+  out << "</DataArray>\n</Points>\n<Polys>\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">\n";
+  for (const auto& f : m.faces) { out << f[0] << ' ' << f[1] << ' ' << f[2] << '\n'; }
+  out << "</DataArray>\n<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">\n";
+  for (std::size_t i = 1; i <= m.faces.size(); ++i) { out << 3 * i << '\n'; }
+  out << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  return out.take();
+}
+
+using Formatter = std::string (*)(const Result_mesh&);
+
+Formatter formatter(const std::string& path)
+{
+  const std::string format = format_of(path);
+  if (format == "off") { return format_off; }
+  if (format == "obj") { return format_obj; }
+  if (format == "ply") { return format_ply; }
+  if (format == "vtp") { return format_vtp; }
+  if (format == "stl")
+    throw File_error(path + ": STL cannot hold a cut, because it stores no vertices and its readers weld equal points; use OFF, OBJ, PLY or VTP");
+  throw File_error(path + ": unknown format '" + format + "'; use OFF, OBJ, PLY or VTP, or gzip of these");
+}
+
+} // namespace
+
+void check_writable_format(const std::string& path) { formatter(path); }
+
+std::string format_mesh(const std::string& path, const Result_mesh& mesh) { return formatter(path)(mesh); }
+
+std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Named_curve>& curves)
+{
+  Text out;
+  std::map<std::int32_t, std::size_t> place;
+  for (const Named_curve& c : curves)
+    for (std::int32_t v : c.points)
+      if (place.try_emplace(v, place.size() + 1).second) { out << "v " << points[v][0] << ' ' << points[v][1] << ' ' << points[v][2] << '\n'; }
+  for (const Named_curve& c : curves)
+  {
+    out << "g " << c.name << "\nl";
+    for (std::int32_t v : c.points) { out << ' ' << place.at(v); }
+    out << '\n';
+  }
+  return out.take();
+}
+
+std::string map_path(const std::string& path)
+{
+  std::string stem = path;
+  if (stem.size() > 3 && stem.compare(stem.size() - 3, 3, ".gz") == 0) { stem.resize(stem.size() - 3); }
+  const std::size_t dot = stem.find_last_of('.'), slash = stem.find_last_of('/');
+  if (dot != std::string::npos && (slash == std::string::npos || dot > slash)) { stem.resize(dot); }
+  return stem + ".map.json";
+}
+
+std::string format_map(const Result_mesh& m)
+{
+  Text out;
+  const auto number = [&](auto x) { out << x; };
+  out << "{\n\"copy_of\": ";
+  out.list(m.copy_of, number) << ",\n\"origin\": ";
+  out.list(m.origin, [&](const Result_origin& o) {
+    out << '[' << o.index[0];
+    if (o.kind == Result_origin::EDGE) { out << ',' << o.index[1] << ',' << o.weight[0]; }
+    if (o.kind == Result_origin::FACE) { out << ',' << o.weight[0] << ',' << o.weight[1] << ',' << o.weight[2]; }
+    out << ']';
+  }) << ",\n\"face_of\": ";
+  out.list(m.face_of, number) << ",\n\"component_of\": ";
+  out.list(m.component_of, number) << ",\n\"seams\": ";
+  out.list(m.seams, [&](const std::array<std::int32_t, 2>& s) { out << '[' << s[0] << ',' << s[1] << ']'; }) << "\n}\n";
+  return out.take();
+}
+
+void read_map(const std::string& path, Result_mesh& mesh)
+{
+  try
+  {
+    const auto json = nlohmann::json::parse(read_bytes(path));
+    json.at("copy_of").get_to(mesh.copy_of);
+    json.at("face_of").get_to(mesh.face_of);
+    json.at("component_of").get_to(mesh.component_of);
+    json.at("seams").get_to(mesh.seams);
+    mesh.origin.clear();
+    for (const auto& entry : json.at("origin"))
+    {
+      Result_origin o;
+      o.index[0] = entry.at(0).get<std::int32_t>();
+      switch (entry.size())
+      {
+      case 1: break;
+      case 3:
+        o.kind = Result_origin::EDGE;
+        o.index[1] = entry.at(1).get<std::int32_t>();
+        o.weight[0] = entry.at(2).get<double>();
+        break;
+      case 4:
+        o.kind = Result_origin::FACE;
+        for (std::size_t i = 0; i < 3; ++i) { o.weight[i] = entry.at(i + 1).get<double>(); }
+        break;
+      default: throw File_error(path + ": an origin has " + std::to_string(entry.size()) + " entries");
+      }
+      mesh.origin.push_back(o);
+    }
+  }
+  catch (const nlohmann::json::exception& e) { throw File_error(path + ": not a map file: " + e.what()); }
+}
+
+} // namespace files
+} // namespace meridian

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FILES_WRITE_MESH_H
+#define MERIDIAN_FILES_WRITE_MESH_H
+
+#include <meridian/Result_mesh.h>
+
+#include <string>
+#include <vector>
+
+namespace meridian {
+namespace files {
+
+// A named curve: places of points, the first repeated at the end if it is closed.
+struct Named_curve { std::string name; std::vector<std::int32_t> points; };
+
+// Throws File_error if a mesh cannot be written in the format that the path asks for.
+void check_writable_format(const std::string& path);
+
+// The bytes of a mesh file in the format of `path`: OFF, OBJ, PLY (binary) or VTP. Text has the shortest digits that read
+// back to the same number.
+std::string format_mesh(const std::string& path, const Result_mesh& mesh);
+
+// The points of curves and one line element a curve, as OBJ.
+std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Named_curve>& curves);
+
+// The map of a result, as JSON, and back. The second throws File_error.
+std::string format_map(const Result_mesh& mesh);
+void read_map(const std::string& path, Result_mesh& mesh);
+
+// Where the map of a result stands: the path without its ending, and ".map.json".
+std::string map_path(const std::string& path);
+
+} // namespace files
+} // namespace meridian
+
+#endif // MERIDIAN_FILES_WRITE_MESH_H

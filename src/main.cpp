@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.h"
+#include "files/read_mesh.h"
+
+#include <CLI/CLI.hpp>
+
+#include <csignal>
+#include <iostream>
+#include <new>
+
+// OpenBLAS, where it is the BLAS of this system, must not split sums between threads: equal bytes out for equal bytes in.
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void interrupt(int) { interrupted = 1; }
+
+void add_common(CLI::App& command, meridian::program::Common_arguments& arguments)
+{
+  command.add_option("--report", arguments.report, "write everything that was counted and measured as JSON")->type_name("FILE");
+  command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
+}
+
+const char* const repair_help = "split edges with three or more faces instead of refusing the mesh";
+
+} // namespace
+
+namespace meridian {
+namespace program {
+
+bool is_interrupted() { return interrupted != 0; }
+
+} // namespace program
+} // namespace meridian
+
+int main(int argc, char** argv)
+{
+  using namespace meridian::program;
+  if (openblas_set_num_threads) { openblas_set_num_threads(1); }
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  std::signal(SIGPIPE, SIG_IGN);
+
+  CLI::App app{"Cuts any triangle mesh into a disc along smooth curves, and proves with integers that it did.\n"
+               "Meshes are OFF, OBJ, STL, PLY or VTP files, or gzip of these."};
+  app.name("meridian");
+  app.set_version_flag("--version", "meridian " MERIDIAN_VERSION);
+  app.require_subcommand(1);
+  app.footer("Exit status: 0 verified, 1 unusable input, 2 computed but not verified, 3 numerical failure, 64 wrong usage.\n"
+             "Example: meridian cut elephant.off -o disc.obj --view disc.html");
+
+  Info_arguments info;
+  CLI::App* info_command = app.add_subcommand("info", "count what meshes are: components, boundary loops, genus, defects");
+  info_command->add_option("MESH", info.meshes, "mesh files")->required();
+  info_command->add_flag("--repair", info.repair, repair_help);
+  add_common(*info_command, info);
+
+  Cut_arguments cut;
+  CLI::App* cut_command = app.add_subcommand("cut", "open a mesh into a disc, one for each component, along a cut graph");
+  cut_command->add_option("MESH", cut.mesh, "the mesh file")->required();
+  cut_command->add_option("-o,--output", cut.out, "the opened mesh: OFF, OBJ, PLY or VTP; its map back to MESH is written beside it")->required()->type_name("OUT");
+  cut_command->add_option("--view", cut.view, "write a page that shows the cut in a browser")->type_name("FILE");
+  cut_command->add_option("--curves", cut.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
+  add_common(*cut_command, cut);
+  cut_command->add_flag("--repair", cut.repair, repair_help);
+  const std::string field = "The field", meridians = "The meridians", links = "The links";
+  cut_command->add_option("--weights", cut.weights, "discretization of the Laplacian: positive, mean-value or cotangent")
+    ->check(CLI::IsMember({"positive", "mean-value", "cotangent"}))->capture_default_str()->group(field);
+  cut_command->add_option("--minimum", cut.minima, "vertices of MESH (from 0) where the field is lowest; otherwise two vertices far apart are taken")
+    ->type_name("V...")->group(field);
+  cut_command->add_option("--maximum", cut.maxima, "vertices of MESH where the field is highest")->type_name("V...")->group(field);
+  cut_command->add_option("--prefer", cut.prefer, "which handles' loops are cut first: gaussian-curvature or mean-curvature of the saddle, length, or position")
+    ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position"}))->capture_default_str()->group(meridians);
+  cut_command->add_option("--direction", cut.direction, "with --prefer position: loops far out in this direction first")
+    ->expected(3)->type_name("X Y Z")->group(meridians);
+  cut_command->add_option("--links", cut.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
+    ->check(CLI::IsMember({"surface", "plane"}))->capture_default_str()->group(links);
+  cut_command->add_flag("--bifurcations", cut.bifurcations, "let links end on other links, which makes the cut shorter")->group(links);
+  cut_command->add_option("--source", cut.source, "a vertex of MESH that the links shall pass through")->type_name("V")->group(links);
+
+  Verify_arguments verify;
+  CLI::App* verify_command = app.add_subcommand("verify", "recount a result of `cut` from its files alone");
+  verify_command->add_option("MESH", verify.mesh, "the mesh that was cut")->required();
+  verify_command->add_option("RESULT", verify.result, "the opened mesh; its .map.json is expected beside it")->required();
+  add_common(*verify_command, verify);
+
+  try { app.parse(argc, argv); }
+  catch (const CLI::ParseError& e)
+  {
+    const int status = app.exit(e);
+    return status == 0 ? 0 : WRONG_USAGE;
+  }
+
+  const auto complain = [](const char* text, int status) {
+    std::cerr << "meridian: " << text << '\n';
+    return status;
+  };
+  try
+  {
+    if (*info_command) { return run_info(info); }
+    if (*cut_command) { return run_cut(cut); }
+    return run_verify(verify);
+  }
+  catch (const Usage_error& e) { return complain(e.what(), WRONG_USAGE); }
+  catch (const meridian::Invalid_input_error& e) { return complain(e.what(), UNUSABLE_INPUT); }
+  catch (const meridian::files::File_error& e) { return complain(e.what(), UNUSABLE_INPUT); }
+  catch (const meridian::Solver_error& e) { return complain(e.what(), NUMERICAL_FAILURE); }
+  catch (const meridian::Cancelled& e) { return complain(e.what(), INTERRUPTED); }
+  catch (const std::bad_alloc&) { return complain("there is not enough memory for this mesh", UNUSABLE_INPUT); }
+  catch (const std::exception& e)
+  {
+    std::cerr << "meridian: internal error: " << e.what() << "; nothing was written. Please report this with the mesh\n";
+    return NOT_VERIFIED;
+  }
+}

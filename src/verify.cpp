@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commands.h"
+#include "files/Output_files.h"
+#include "files/write_mesh.h"
+#include "report.h"
+
+#include <iostream>
+
+namespace meridian {
+namespace program {
+
+int run_verify(const Verify_arguments& arguments)
+{
+  const Polygon_soup input = files::read_mesh(arguments.mesh), opened = files::read_mesh(arguments.result);
+  Result_mesh result;
+  result.points = opened.points;
+  for (std::size_t i = 0; i < opened.number_of_polygons(); ++i)
+  {
+    if (opened.size(i) != 3)
+      throw files::File_error(arguments.result + ": face " + std::to_string(i) + " has " + std::to_string(opened.size(i)) + " corners; results have triangles only");
+    result.faces.push_back({opened.corner(i, 0), opened.corner(i, 1), opened.corner(i, 2)});
+  }
+  files::read_map(files::map_path(arguments.result), result);
+  const Verification v = verify_cut(input, result);
+
+  Json components = Json::array();
+  std::int64_t genus = 0, loops = 0, discs = 0;
+  for (const Component_count& c : v.components)
+  {
+    Json r = report_counts(c);
+    r["cut"] = {{"connected", c.discs == 1}, {"euler_characteristic", c.disc_euler_characteristic}, {"boundary_loops", c.disc_boundary_loops}};
+    components.push_back(r);
+    genus += c.genus;
+    loops += c.boundary_loops;
+    discs += c.discs;
+  }
+  if (!arguments.report.empty())
+  {
+    files::Output_files out;
+    out.add(arguments.report, format_report({{"meridian", MERIDIAN_VERSION}, {"input", {{"file", arguments.mesh}, {"vertices", input.points.size()}}},
+                                             {"components", components}, {"failures", v.failures}, {"verified", static_cast<bool>(v)}}));
+    out.commit();
+  }
+  for (const std::string& failure : v.failures) { std::cerr << "meridian: " << failure << '\n'; }
+  if (!arguments.quiet)
+  {
+    std::cout << (v ? "verified: " : "NOT verified: ") << v.components.size() << (v.components.size() == 1 ? " component" : " components") << " (genus "
+              << genus << ", boundary loops " << loops << ") became " << discs << (discs == 1 ? " piece" : " pieces");
+    if (v) { std::cout << ", each a disc; glued along " << result.seams.size() << " seam edges they are the input again"; }
+    std::cout << '\n';
+  }
+  return v ? VERIFIED : NOT_VERIFIED;
+}
+
+} // namespace program
+} // namespace meridian
