@@ -14,6 +14,7 @@ struct Contour
 {
   Index level = -1;             ///< it runs between the nodes of rank `level` and `level + 1`
   Index saddle = -1;            ///< a vertex of the saddle it belongs to, or -1
+  bool is_longer = false;       ///< whether the other loop of its saddle is shorter
   std::vector<Index> halfedges; ///< on the surface that was ordered
 };
 
@@ -58,61 +59,6 @@ inline std::vector<Contour> trace_level(const Ordered_surface& m, Index level)
   return contours;
 }
 
-/*!
- * \ingroup PkgMeridianContours
- *
- * \returns the loops of all saddles, two a saddle: the two contours that meet there, at the nearest regular level on
- *          the side where they are apart. A loop that two saddles share is given once, with the first of them.
- *
- * \pre all saddles are simple
- * \throws Internal_error if the contours of a saddle are not two
- * \par Complexity
- * Linear in the number of edges crossed.
- */
-inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m)
-{
-  std::vector<Contour> loops;
-  std::vector<std::array<Index, 2>> start; // a halfedge into each of the two sectors of one kind
-  for (const Critical_point& p : find_critical_points(m.surface, m.rank))
-  {
-    if (p.kind != Critical_kind::SADDLE) { continue; }
-    std::array<Index, 2> up{-1, -1}, down{-1, -1};
-    std::vector<std::pair<Index, bool>> spokes;
-    for_each_around_node(m.surface, p.vertex, [&](Index h) {
-      spokes.emplace_back(h, m.rank[m.surface.target(h)] > m.rank[p.vertex]);
-    });
-    int ups = 0, downs = 0;
-    for (std::size_t i = 0; i < spokes.size(); ++i)
-      if (spokes[i].second != spokes[(i + spokes.size() - 1) % spokes.size()].second)
-      {
-        if (spokes[i].second ? ups == 2 : downs == 2) { throw Internal_error("trace_saddle_loops: a saddle is not simple"); }
-        if (spokes[i].second) { up[ups++] = spokes[i].first; }
-        else { down[downs++] = m.surface.opposite[spokes[i].first]; }
-      }
-    const Index rank = m.rank[p.vertex];
-    const auto pair_at = [&](const std::array<Index, 2>& halfedges, Index level) {
-      Contour first = trace_contour(m, halfedges[0], level);
-      if (std::find(first.halfedges.begin(), first.halfedges.end(), halfedges[1]) != first.halfedges.end()) { return false; }
-      loops.push_back(std::move(first));
-      loops.push_back(trace_contour(m, halfedges[1], level));
-      loops[loops.size() - 2].saddle = loops.back().saddle = p.vertex;
-      return true;
-    };
-    if (!pair_at(up, rank) && !pair_at(down, rank - 1))
-      throw Internal_error("trace_saddle_loops: the contours of a saddle do not part");
-  }
-  std::vector<std::array<Index, 3>> key; // level, smallest halfedge, place
-  for (std::size_t i = 0; i < loops.size(); ++i)
-    key.push_back({loops[i].level, *std::min_element(loops[i].halfedges.begin(), loops[i].halfedges.end()), static_cast<Index>(i)});
-  std::sort(key.begin(), key.end());
-  std::vector<char> is_repeated(loops.size(), 0);
-  for (std::size_t i = 1; i < key.size(); ++i)
-    is_repeated[key[i][2]] = key[i][0] == key[i - 1][0] && key[i][1] == key[i - 1][1];
-  std::vector<Contour> unique;
-  for (std::size_t i = 0; i < loops.size(); ++i) { if (!is_repeated[i]) { unique.push_back(std::move(loops[i])); } }
-  return unique;
-}
-
 /// \ingroup PkgMeridianContours
 /// \returns where a contour crosses halfedge `h`, as a fraction from its source, by linear interpolation of the field
 ///          in the finest scale that the edge has; 1/2 where the order goes against the field
@@ -137,6 +83,64 @@ inline double length(const Ordered_surface& m, const Contour& c)
   curve.closed = true;
   for (Index h : c.halfedges) { curve.points.push_back(Curve_point::on_edge(h, crossing_fraction(m, h, c.level))); }
   return length(m.surface, curve);
+}
+
+/*!
+ * \ingroup PkgMeridianContours
+ *
+ * \returns the loops of all saddles, two a saddle: the two contours that meet there, at the nearest regular level on
+ *          the side where they are apart. A loop that two saddles share is given once, for the first of them where
+ *          it is the shorter of the two, if there is one.
+ *
+ * \pre all saddles are simple
+ * \throws Internal_error if the contours of a saddle are not two
+ * \par Complexity
+ * Linear in the number of edges crossed.
+ */
+inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m)
+{
+  std::vector<Contour> loops;
+  for (const Critical_point& p : find_critical_points(m.surface, m.rank))
+  {
+    if (p.kind != Critical_kind::SADDLE) { continue; }
+    std::array<Index, 2> up{-1, -1}, down{-1, -1};
+    std::vector<std::pair<Index, bool>> spokes;
+    for_each_around_node(m.surface, p.vertex, [&](Index h) {
+      spokes.emplace_back(h, m.rank[m.surface.target(h)] > m.rank[p.vertex]);
+    });
+    int ups = 0, downs = 0;
+    for (std::size_t i = 0; i < spokes.size(); ++i)
+      if (spokes[i].second != spokes[(i + spokes.size() - 1) % spokes.size()].second)
+      {
+        if (spokes[i].second ? ups == 2 : downs == 2) { throw Internal_error("trace_saddle_loops: a saddle is not simple"); }
+        if (spokes[i].second) { up[ups++] = spokes[i].first; }
+        else { down[downs++] = m.surface.opposite[spokes[i].first]; }
+      }
+    const Index rank = m.rank[p.vertex];
+    const auto pair_at = [&](const std::array<Index, 2>& halfedges, Index level) {
+      Contour first = trace_contour(m, halfedges[0], level);
+      if (std::find(first.halfedges.begin(), first.halfedges.end(), halfedges[1]) != first.halfedges.end()) { return false; }
+      loops.push_back(std::move(first));
+      loops.push_back(trace_contour(m, halfedges[1], level));
+      Contour &one = loops[loops.size() - 2], &two = loops.back();
+      one.saddle = two.saddle = p.vertex;
+      (length(m, one) > length(m, two) ? one : two).is_longer = true;
+      return true;
+    };
+    if (!pair_at(up, rank) && !pair_at(down, rank - 1))
+      throw Internal_error("trace_saddle_loops: the contours of a saddle do not part");
+  }
+  std::vector<std::array<Index, 4>> key; // level, smallest halfedge, longer or not, place
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    key.push_back({loops[i].level, *std::min_element(loops[i].halfedges.begin(), loops[i].halfedges.end()),
+                   static_cast<Index>(loops[i].is_longer), static_cast<Index>(i)});
+  std::sort(key.begin(), key.end());
+  std::vector<char> is_repeated(loops.size(), 0);
+  for (std::size_t i = 1; i < key.size(); ++i)
+    is_repeated[key[i][3]] = key[i][0] == key[i - 1][0] && key[i][1] == key[i - 1][1];
+  std::vector<Contour> unique;
+  for (std::size_t i = 0; i < loops.size(); ++i) { if (!is_repeated[i]) { unique.push_back(std::move(loops[i])); } }
+  return unique;
 }
 
 } // namespace meridian

@@ -178,7 +178,7 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
       for (const Contour& loop : loops)
       {
         const Index v = internal::root_vertex(root, m.surface, loop.saddle);
-        candidates.push_back({v, root.points[v], curvature(root, v), length(m, loop)});
+        candidates.push_back({v, root.points[v], curvature(root, v), length(m, loop), loop.is_longer});
       }
       cut.choices = select_meridians(m, loops, rank_by_preference(candidates, options.preference));
       if (static_cast<int>(cut.choices.size()) != cut.genus)

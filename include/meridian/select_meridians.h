@@ -20,6 +20,7 @@ struct Loop_candidate
   Point position;      ///< of the saddle
   Curvature curvature; ///< at that vertex; zero on the boundary
   double length;       ///< of the loop
+  bool is_longer;      ///< whether the other loop of the saddle is shorter
 };
 
 /// \ingroup PkgMeridianMeridians
@@ -27,14 +28,18 @@ struct Loop_candidate
 using Preference = std::function<double(const Loop_candidate&)>;
 
 /// \ingroup PkgMeridianMeridians
+/// ready-made preferences. Those that rate saddles put the longer loop of every saddle behind the shorter loops of all.
 namespace preference {
+namespace internal {
+inline double rate_saddle(double rate, const Loop_candidate& c) { return c.is_longer ? -1 / (1 + rate) : rate; } // rate >= 0
+} // namespace internal
 /// saddles of high curvature first, whatever its sign: seams there cost little distortion (the paper's choice)
-inline double gaussian_curvature(const Loop_candidate& c) { return std::abs(c.curvature.gaussian); }
+inline double gaussian_curvature(const Loop_candidate& c) { return internal::rate_saddle(std::abs(c.curvature.gaussian), c); }
 /// saddles of high mean curvature first, whatever its sign
-inline double mean_curvature(const Loop_candidate& c) { return std::abs(c.curvature.mean); }
+inline double mean_curvature(const Loop_candidate& c) { return internal::rate_saddle(std::abs(c.curvature.mean), c); }
 /// short loops first
 inline double short_length(const Loop_candidate& c) { return -c.length; }
-/// loops far out in direction `d` first
+/// loops whose saddles lie far out in direction `d` first
 inline Preference position(const Point& d) { return [d](const Loop_candidate& c) { return dot(c.position, d); }; }
 } // namespace preference
 

@@ -73,16 +73,18 @@
   controls.addEventListener('change', render);
   resize();
 
-  // How many pixels show something, for whoever opens the page without eyes.
-  const gl = renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, pixels = new Uint8Array(4 * w * h);
-  gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-  let drawn = 0, cut = 0;
-  for (let i = 0; i < pixels.length; i += 4) {
-    if (pixels[i] < 250 || pixels[i + 1] < 250 || pixels[i + 2] < 250) ++drawn;
-    if ((pixels[i] > 190 && pixels[i + 1] < 60) || (pixels[i + 2] > 160 && pixels[i] < 50)) ++cut;
+  // With #count in the address: how many pixels show something, for whoever opens the page without eyes.
+  if (location.hash === '#count') {
+    const gl = renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, pixels = new Uint8Array(4 * w * h);
+    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    let drawn = 0, cut = 0;
+    for (let i = 0; i < pixels.length; i += 4) {
+      if (pixels[i] < 250 || pixels[i + 1] < 250 || pixels[i + 2] < 250) ++drawn;
+      if ((pixels[i] > 190 && pixels[i + 1] < 60) || (pixels[i + 2] > 160 && pixels[i] < 50)) ++cut;
+    }
+    document.body.setAttribute('data-pixels', drawn);
+    document.body.setAttribute('data-cut-pixels', cut);
   }
-  document.body.setAttribute('data-pixels', drawn);
-  document.body.setAttribute('data-cut-pixels', cut);
 
   (function animate() {
     requestAnimationFrame(animate);
