@@ -18,7 +18,7 @@ struct Scalar_field
 
   std::vector<double> value;
   std::vector<Index> region; ///< of each node; empty while there is only one
-  std::vector<Region> regions{Region{}};
+  std::vector<Region> regions = std::vector<Region>(1);
 
   explicit Scalar_field(Index nodes = 0) : value(nodes, 0) {}
 

@@ -62,7 +62,7 @@ inline Curvature curvature(const Triangle_surface& s, Index v)
     const Point along = s.points[s.target(h)] - s.points[v];
     angles += corner_angle(s, h);
     area += norm(left) / 6;
-    bending += std::atan2(dot(cross(right, left), along), norm(along) * dot(left, right)) * norm(along);
+    bending += std::atan2(dot(cross(left, right), along), norm(along) * dot(left, right)) * norm(along);
   });
   if (!(area > 0)) { return c; }
   c.gaussian = (2 * std::acos(-1.) - angles) / area;

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FACE_GRAPH_H
+#define MERIDIAN_FACE_GRAPH_H
+
+#include <meridian/cut_to_disc.h>
+#include <meridian/internal/convert_face_graph.h>
+#include <meridian/parameters.h>
+
+namespace meridian {
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * \returns a mesh as a `Triangle_surface`; vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam NamedParameters a sequence of named parameters
+ * \param tm the mesh
+ * \param np optional: `vertex_point_map` (default: `get(CGAL::vertex_point, tm)`)
+ * \throws Invalid_input_error if a face is not a triangle, a vertex is isolated or a coordinate is not finite
+ * \par Complexity
+ * Linear.
+ */
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Triangle_surface make_triangle_surface(const TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  static_assert(internal::uses_only<CGAL::internal_np::vertex_point_t>(static_cast<const NamedParameters*>(nullptr)),
+                "make_triangle_surface() was given a named parameter it does not use");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return internal::convert(tm, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)));
+}
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * writes the harmonic field with value 0 on `minima` and 1 on `maxima` (see `solve_harmonic_field()`).
+ *
+ * \tparam VertexFieldMap a model of `WritablePropertyMap` from vertices to `double`
+ * \tparam VertexRange a range of vertex descriptors
+ * \param tm a connected triangle mesh
+ * \param minima, maxima where the field is prescribed; neither is empty, and they lie on different boundary loops
+ * \param field receives the values
+ * \param weights the discretization
+ * \throws Invalid_input_error if an extremum is on both sides, Solver_error if the system cannot be solved
+ * \par Complexity
+ * One factorization.
+ */
+template <class TriangleMesh, class VertexRange, class VertexFieldMap>
+void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, const VertexRange& maxima, VertexFieldMap field,
+                          Weights weights = Weights::POSITIVE)
+{
+  const internal::Vertex_numbers<TriangleMesh> number(tm);
+  Cut_options options;
+  options.weights = weights;
+  for (auto v : minima) { options.minima.push_back(number[v]); }
+  for (auto v : maxima) { options.maxima.push_back(number[v]); }
+  if (options.minima.empty() || options.maxima.empty()) { throw Invalid_input_error("a field needs a minimum and a maximum"); }
+  const Ordered_surface m = internal::order_surface<Symmetric_solver_traits, General_solver_traits>(
+    make_triangle_surface(tm), options, [](Stage, const auto& work) { work(); });
+  for (auto v : vertices(tm)) { put(field, v, m.field(m.graph.node[number[v]])); }
+}
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * cuts a connected triangle mesh into a disc (see `cut_to_disc(const Triangle_surface&, const Cut_options&)`).
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam DiscMesh a model of `MutableFaceGraph` with an internal point map; it may be another type
+ * \param tm the mesh
+ * \param disc receives the disc: the vertices of `tm` in their order, then new ones, then copies
+ * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`)
+ * \returns the cut
+ * \pre `disc` is empty
+ * \throws Invalid_input_error, Solver_error, Cancelled as the function above
+ */
+template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  static_assert(internal::uses_only<internal_np::cut_options_t>(static_cast<const NamedParameters*>(nullptr)),
+                "cut_to_disc() was given a named parameter it does not use");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Disc_cut cut = cut_to_disc(make_triangle_surface(tm), choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()));
+  std::vector<Point> points = cut.surface.points;
+  for (Index v : cut.opened.copy_of) { points.push_back(cut.surface.points[v]); }
+  internal::build(points, cut.opened.triangles, disc);
+  return cut;
+}
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * builds the refined surface of a cut, with the edges of the cut graph flagged.
+ *
+ * \tparam Mesh a model of `MutableFaceGraph` with an internal point map
+ * \tparam EdgeIsConstrainedMap a model of `ReadWritePropertyMap` from edges to `bool`
+ * \param cut a cut
+ * \param refined receives the surface
+ * \param is_cut_map receives `true` for the edges of the cut graph, `false` for all others
+ * \pre `refined` is empty
+ */
+template <class Mesh, class EdgeIsConstrainedMap>
+void build_refined_mesh(const Disc_cut& cut, Mesh& refined, EdgeIsConstrainedMap is_cut_map)
+{
+  const auto vertex = internal::build(cut.surface.points, cut.surface.triangles, refined);
+  for (auto e : edges(refined)) { put(is_cut_map, e, false); }
+  for (Index h = 0; h < cut.surface.number_of_halfedges(); ++h)
+    if (cut.surface.seam[h])
+    {
+      const auto found = CGAL::halfedge(vertex[cut.surface.source(h)], vertex[cut.surface.target(h)], refined);
+      put(is_cut_map, CGAL::edge(found.first, refined), true);
+    }
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_FACE_GRAPH_H

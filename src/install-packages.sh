@@ -1,0 +1,16 @@
+#!/bin/sh
+# Installs the Debian packages that are missing. With "test", those of the tests too.
+set -e
+packages="g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas0-serial libcli11-dev
+  nlohmann-json3-dev libpugixml-dev zlib1g-dev libjs-three"
+[ "$1" != test ] || packages="$packages libboost-test-dev libbenchmark-dev chromium doxygen"
+missing=
+for p in $packages; do
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$p" 2>/dev/null)" = installed ] || missing="$missing $p"
+done
+[ -n "$missing" ] || exit 0
+echo "installing:$missing"
+as_root=
+[ "$(id -u)" = 0 ] || as_root=sudo
+$as_root apt-get update -qq
+$as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $missing >/dev/null

@@ -1,0 +1,45 @@
+#include "pipeline.h"
+
+namespace pipeline {
+
+Disc_cut cut(const Triangle_surface& s, const Cut_options& options) { return cut_to_disc(s, options); }
+
+Scalar_field harmonic(const Triangle_surface& s, const Node_graph& g, const std::vector<Dirichlet_value>& prescribed, Weights weights)
+{
+  const auto w = edge_weights(s, weights);
+  return weights == Weights::MEAN_VALUE ? solve_harmonic_field<General_solver_traits>(s, g, w, prescribed)
+                                        : solve_harmonic_field<Symmetric_solver_traits>(s, g, w, prescribed);
+}
+
+Ordered_surface order(const Triangle_surface& root, const std::vector<double>& field, bool simplify)
+{
+  Ordered_surface m;
+  m.surface = divide_chords(root);
+  m.graph = make_node_graph(m.surface);
+  m.field = Scalar_field(m.graph.number_of_nodes);
+  for (Index a = 0; a < m.graph.number_of_nodes; ++a)
+  {
+    const Index v = m.graph.representative[a];
+    if (v < root.number_of_vertices()) { m.field.value[a] = field[v]; continue; }
+    const Origin o = m.surface.origin(v);
+    m.field.value[a] = (field[o.index[0]] + field[o.index[1]]) / 2;
+  }
+  m.order = order_nodes(m.graph, m.field);
+  if (simplify) { simplify_order(m.graph, m.order, {m.order.nodes.front()}, {m.order.nodes.back()}); }
+  for (Index a : m.graph.node) { m.rank.push_back(m.order.rank[a]); }
+  m.critical = find_critical_points(m.surface, m.rank);
+  unfold_saddles(root, m);
+  return m;
+}
+
+Run run(const Polygon_soup& soup, bool repair, const Cut_options& options)
+{
+  Run r;
+  r.examination = examine_surface(soup, repair);
+  for (const auto& c : r.examination.components) { r.cuts.push_back(cut_to_disc(c.surface, options)); }
+  r.assembled = assemble_result(soup, r.examination, r.cuts);
+  r.verification = verify_cut(soup, r.assembled.mesh);
+  return r;
+}
+
+} // namespace pipeline

@@ -1,0 +1,26 @@
+// The stages of a cut, compiled once for all tests.
+#ifndef MERIDIAN_TEST_PIPELINE_H
+#define MERIDIAN_TEST_PIPELINE_H
+
+#include <meridian/assemble_result.h>
+#include <meridian/verify_cut.h>
+
+namespace pipeline {
+
+using namespace meridian;
+
+Disc_cut cut(const Triangle_surface& s, const Cut_options& options = Cut_options());
+Scalar_field harmonic(const Triangle_surface& s, const Node_graph& g, const std::vector<Dirichlet_value>& prescribed,
+                      Weights weights = Weights::POSITIVE);
+
+// A surface ordered by any field on its vertices (on a boundary loop, that of its first vertex), with one minimum and one
+// maximum if `simplify` is set.
+Ordered_surface order(const Triangle_surface& s, const std::vector<double>& field, bool simplify);
+
+// A whole run, as the program does it.
+struct Run { Examination examination; std::vector<Disc_cut> cuts; Assembled_result assembled; Verification verification; };
+Run run(const Polygon_soup& soup, bool repair = false, const Cut_options& options = Cut_options());
+
+} // namespace pipeline
+
+#endif // MERIDIAN_TEST_PIPELINE_H

@@ -1,0 +1,7 @@
+// What every test includes, compiled once.
+#include <boost/test/data/monomorphic.hpp>
+#include <boost/test/data/test_case.hpp>
+#include <boost/test/unit_test.hpp>
+
+#include <meridian/cut_to_disc.h>
+#include <meridian/examine_surface.h>
