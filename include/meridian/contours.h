@@ -85,49 +85,77 @@ inline double length(const Ordered_surface& m, const Contour& c)
   return length(m.surface, curve);
 }
 
+namespace internal {
+
+// A halfedge that rises through `level`, reached from halfedge `h` by always going on to the highest (lowest) node. With no
+// critical node on the way, it lies on the contour that the one through `h` becomes at `level`.
+inline Index climb(const Ordered_surface& m, Index h, Index level, bool up)
+{
+  while (up ? m.rank[m.surface.target(h)] <= level : m.rank[m.surface.target(h)] > level)
+  {
+    Index best = -1;
+    for_each_around_node(m.surface, m.surface.target(h), [&](Index g) {
+      const Index r = m.rank[m.surface.target(g)];
+      if (best < 0 || (up ? r > m.rank[m.surface.target(best)] : r < m.rank[m.surface.target(best)])) { best = g; }
+    });
+    h = best;
+  }
+  return up ? h : m.surface.opposite[h];
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgMeridianContours
  *
- * \returns the loops of all saddles, two a saddle: the two contours that meet there, at the nearest regular level on
- *          the side where they are apart. A loop that two saddles share is given once, for the first of them where
- *          it is the shorter of the two, if there is one.
+ * \returns the loops of all saddles, two a saddle: the two contours that meet there, on the side where they are apart.
+ *          A loop that two saddles share is given once, for the first of them where it is the shorter of the two, if
+ *          there is one.
  *
+ * \param m the ordered surface
+ * \param away how far from the saddle the loops run, as a fraction of the way to the next critical level: 0 is at the
+ *        saddle, where loops have a corner, and anything below 1/2 keeps the loops of different saddles apart
  * \pre all saddles are simple
  * \throws Internal_error if the contours of a saddle are not two
  * \par Complexity
  * Linear in the number of edges crossed.
  */
-inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m)
+inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m, double away = 0.25)
 {
   std::vector<Contour> loops;
-  for (const Critical_point& p : find_critical_points(m.surface, m.rank))
+  const std::vector<Critical_point> critical = find_critical_points(m.surface, m.rank);
+  std::vector<Index> ranks;
+  for (const Critical_point& p : critical) { ranks.push_back(m.rank[p.vertex]); }
+  std::sort(ranks.begin(), ranks.end());
+  for (const Critical_point& p : critical)
   {
     if (p.kind != Critical_kind::SADDLE) { continue; }
-    std::array<Index, 2> up{-1, -1}, down{-1, -1};
+    const Index rank = m.rank[p.vertex];
+    std::array<Index, 2> up{-1, -1}, down{-1, -1}; // a halfedge into each sector
     std::vector<std::pair<Index, bool>> spokes;
-    for_each_around_node(m.surface, p.vertex, [&](Index h) {
-      spokes.emplace_back(h, m.rank[m.surface.target(h)] > m.rank[p.vertex]);
-    });
+    for_each_around_node(m.surface, p.vertex, [&](Index h) { spokes.emplace_back(h, m.rank[m.surface.target(h)] > rank); });
     int ups = 0, downs = 0;
     for (std::size_t i = 0; i < spokes.size(); ++i)
       if (spokes[i].second != spokes[(i + spokes.size() - 1) % spokes.size()].second)
       {
         if (spokes[i].second ? ups == 2 : downs == 2) { throw Internal_error("trace_saddle_loops: a saddle is not simple"); }
-        if (spokes[i].second) { up[ups++] = spokes[i].first; }
-        else { down[downs++] = m.surface.opposite[spokes[i].first]; }
+        (spokes[i].second ? up[ups++] : down[downs++]) = spokes[i].first;
       }
-    const Index rank = m.rank[p.vertex];
-    const auto pair_at = [&](const std::array<Index, 2>& halfedges, Index level) {
-      Contour first = trace_contour(m, halfedges[0], level);
-      if (std::find(first.halfedges.begin(), first.halfedges.end(), halfedges[1]) != first.halfedges.end()) { return false; }
-      loops.push_back(std::move(first));
-      loops.push_back(trace_contour(m, halfedges[1], level));
-      Contour &one = loops[loops.size() - 2], &two = loops.back();
+    const auto here = std::lower_bound(ranks.begin(), ranks.end(), rank);
+    const Index level_up = rank + static_cast<Index>(away * (*std::next(here) - rank - 1));
+    const Index level_down = rank - 1 - static_cast<Index>(away * (rank - 1 - *std::prev(here)));
+    const auto pair_at = [&](const std::array<Index, 2>& sectors, Index level, bool is_up) {
+      Contour one = trace_contour(m, internal::climb(m, sectors[0], level, is_up), level);
+      const Index start = internal::climb(m, sectors[1], level, is_up);
+      if (std::find(one.halfedges.begin(), one.halfedges.end(), start) != one.halfedges.end()) { return false; }
+      Contour two = trace_contour(m, start, level);
       one.saddle = two.saddle = p.vertex;
       (length(m, one) > length(m, two) ? one : two).is_longer = true;
+      loops.push_back(std::move(one));
+      loops.push_back(std::move(two));
       return true;
     };
-    if (!pair_at(up, rank) && !pair_at(down, rank - 1))
+    if (!pair_at(up, level_up, true) && !pair_at(down, level_down, false))
       throw Internal_error("trace_saddle_loops: the contours of a saddle do not part");
   }
   std::vector<std::array<Index, 4>> key; // level, smallest halfedge, longer or not, place

@@ -109,8 +109,8 @@ void build_refined_mesh(const Disc_cut& cut, Mesh& refined, EdgeIsConstrainedMap
   for (Index h = 0; h < cut.surface.number_of_halfedges(); ++h)
     if (cut.surface.seam[h])
     {
-      const auto found = CGAL::halfedge(vertex[cut.surface.source(h)], vertex[cut.surface.target(h)], refined);
-      put(is_cut_map, CGAL::edge(found.first, refined), true);
+      const auto found = halfedge(vertex[cut.surface.source(h)], vertex[cut.surface.target(h)], refined);
+      put(is_cut_map, edge(found.first, refined), true);
     }
 }
 

@@ -6,6 +6,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -65,8 +66,11 @@ void Output_files::add(const std::string& path, const std::string& bytes)
 {
   struct stat existing;
   if (stat(path.c_str(), &existing) == 0 && S_ISDIR(existing.st_mode)) { errno = EISDIR; fail(path, "cannot be written"); }
-  m_files.emplace_back();
-  File& file = m_files.back();
+  const bool is_packed = path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
+  const std::string packed = is_packed ? pack(path, bytes) : std::string();
+  const std::string& content = is_packed ? packed : bytes;
+
+  File file;
   file.path = path;
 #ifdef O_TMPFILE
   file.descriptor = open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
@@ -78,9 +82,7 @@ void Output_files::add(const std::string& path, const std::string& bytes)
     if (file.descriptor < 0) { fail(path, "cannot be written"); }
     file.hidden = hidden;
   }
-  const bool is_packed = path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
-  const std::string packed = is_packed ? pack(path, bytes) : std::string();
-  const std::string& content = is_packed ? packed : bytes;
+  m_files.push_back(file); // from here on the destructor cleans up
   for (std::size_t at = 0; at < content.size();)
   {
     const ssize_t n = write(file.descriptor, content.data() + at, content.size() - at);

@@ -359,6 +359,7 @@ private:
     std::vector<Id> corners;
     struct Part { int side; double from, to; Id first, last; };
     std::vector<Part> rim;
+    std::vector<int> kept(m_report.components.size(), 0); // faces as in the input, less those turned over
     for (Id t = 0; t < triangles; ++t)
     {
       if (begin[t] == begin[t + 1]) { continue; }
@@ -377,6 +378,7 @@ private:
           rim.push_back(p);
         }
       const bool forward = rim.empty() || rim.front().from < rim.front().to;
+      kept[m_component[t]] += forward ? 1 : -1;
       for (Part& p : rim)
       {
         if ((p.from < p.to) != forward) { turned.push_back(order[begin[t]]); }
@@ -396,6 +398,9 @@ private:
       if (rim.size() < 3 || inner % 2 != 0 || vertices - edges + parts_of_t != 1) { is_disc = false; }
       if (!is_disc) { broken.push_back(order[begin[t]]); }
     }
+    std::vector<Id> turned_over;
+    for (std::size_t i = 0; i < kept.size(); ++i) { if (kept[i] < 0) { turned_over.push_back(static_cast<Id>(i)); } }
+    fail("components are turned over", turned_over);
     fail("faces are turned against their neighbours", turned);
     fail("faces lack a neighbour that the input has", holes);
     fail("faces of the input are not divided into a disc; it begins with faces of the result", broken);
