@@ -210,6 +210,12 @@ BOOST_AUTO_TEST_CASE(the_smallest_closed_surfaces_are_cut)
   BOOST_TEST(cut.opened.seams.size() >= 2u);
   check_is_disc(tetrahedron, cut);
 
+  Triangle_surface pillow; // two faces that share all three edges
+  pillow.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  pillow.triangles = {{0, 1, 2}, {0, 2, 1}};
+  connect(pillow);
+  check_is_disc(pillow, pipeline::cut(pillow));
+
   Triangle_surface seven; // Moebius' torus: seven vertices, every two of them joined
   for (int i = 0; i < 7; ++i) { seven.points.push_back({std::cos(i), std::sin(2. * i), 0.3 * i}); }
   for (Index i = 0; i < 7; ++i)

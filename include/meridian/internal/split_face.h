@@ -125,20 +125,22 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   const auto is_split = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
 
-  // Halfedges whose twins must be found again: those of the parts, and those of untouched neighbours.
-  struct Loose { Index low, high, halfedge; };
+  // Halfedges whose twins must be found again: those of the parts, and those of untouched neighbours. They belong together
+  // if they lie on one old edge, or inside one face, and have the same ends: two faces may share all their vertices.
+  struct Loose { Index place, low, high, halfedge; };
   std::vector<Loose> loose;
-  const auto loosen = [&](Index h) {
-    loose.push_back({std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h)), h});
+  const auto loosen = [&](Index h, Index place) {
+    loose.push_back({place, std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h)), h});
   };
   // Seams are never crossed, so that a flag goes to the part that keeps both ends.
   struct Flag { Index from, to; };
   std::vector<Flag> flags;
-  std::vector<std::pair<Index, Triangles>> parts;
-  Rim rim;
+  struct Parts { Index face; Triangles triangles; Rim rim; std::array<Index, 3> edges; };
+  std::vector<Parts> parts;
   for (Index f : faces)
   {
-    rim.clear();
+    parts.push_back({f, {}, {}, {s.edge(3 * f), s.edge(3 * f + 1), s.edge(3 * f + 2)}});
+    Rim& rim = parts.back().rim;
     for (int k = 0; k < 3; ++k)
     {
       const Index h = 3 * f + k, e = s.edge(h), o = s.opposite[h];
@@ -151,44 +153,46 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
       if (e == h) { for (auto p = first; p != last; ++p) { rim.push_back({p->vertex, side}); } }
       else { for (auto p = last; p != first; --p) { rim.push_back({std::prev(p)->vertex, side}); } }
       if (s.seam[h]) { flags.push_back({s.source(h), s.target(h)}); }
-      if (o >= 0 && !is_split(s.face(o))) { loosen(o); }
+      if (o >= 0 && !is_split(s.face(o))) { loosen(o, e); }
     }
     std::vector<std::pair<Index, Index>> inside;
     auto c = std::lower_bound(chords.begin(), chords.end(), f, [](const Chord& a, Index face) { return a.face < face; });
     for (; c != chords.end() && c->face == f; ++c) { inside.emplace_back(c->from, c->to); }
-    parts.emplace_back(f, Triangles{});
-    split_part(s.points, rim, inside, parts.back().second);
+    split_part(s.points, rim, inside, parts.back().triangles);
   }
 
   std::vector<Index> touched; // first parts keep the index, the others are appended
-  for (auto& [f, triangles] : parts)
-    for (std::size_t i = 0; i < triangles.size(); ++i)
+  for (const Parts& p : parts)
+    for (std::size_t i = 0; i < p.triangles.size(); ++i)
     {
-      Index g = f;
-      if (i == 0) { s.triangles[f] = triangles[0]; }
+      Index g = p.face;
+      if (i == 0) { s.triangles[g] = p.triangles[0]; }
       else
       {
         g = s.number_of_faces();
-        s.triangles.push_back(triangles[i]);
-        s.face_of.push_back(s.face_of[f]);
-        parent.push_back(f);
+        s.triangles.push_back(p.triangles[i]);
+        s.face_of.push_back(s.face_of[p.face]);
+        s.opposite.resize(s.number_of_halfedges());
+        s.seam.resize(s.number_of_halfedges());
+        parent.push_back(p.face);
       }
       touched.push_back(g);
-    }
-  s.opposite.resize(s.number_of_halfedges(), -1);
-  s.seam.resize(s.number_of_halfedges(), 0);
-  for (Index f : touched)
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      s.opposite[h] = -1;
-      s.seam[h] = 0;
-      loosen(h);
+      const auto sides = [&](Index v) {
+        return std::find_if(p.rim.begin(), p.rim.end(), [&](const Rim_vertex& r) { return r.vertex == v; })->sides;
+      };
+      for (Index h = 3 * g; h < 3 * g + 3; ++h)
+      {
+        const unsigned common = sides(s.source(h)) & sides(s.target(h));
+        s.opposite[h] = -1;
+        s.seam[h] = 0;
+        loosen(h, common == 0 ? -1 - p.face : p.edges[common == 1 ? 0 : common == 2 ? 1 : 2]);
+      }
     }
   std::sort(loose.begin(), loose.end(), [](const Loose& a, const Loose& b) {
-    return std::tie(a.low, a.high, a.halfedge) < std::tie(b.low, b.high, b.halfedge);
+    return std::tie(a.place, a.low, a.high, a.halfedge) < std::tie(b.place, b.low, b.high, b.halfedge);
   });
   for (std::size_t i = 0; i + 1 < loose.size(); ++i)
-    if (loose[i].low == loose[i + 1].low && loose[i].high == loose[i + 1].high)
+    if (loose[i].place == loose[i + 1].place && loose[i].low == loose[i + 1].low && loose[i].high == loose[i + 1].high)
     {
       s.opposite[loose[i].halfedge] = loose[i + 1].halfedge;
       s.opposite[loose[i + 1].halfedge] = loose[i].halfedge;

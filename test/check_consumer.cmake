@@ -1,0 +1,13 @@
+# Installs the package into a fresh folder, and configures, builds and runs a project that finds it there.
+file(REMOVE_RECURSE ${BUILD})
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "failed: ${ARGV}")
+  endif()
+endfunction()
+run(${CMAKE_COMMAND} --install ${PACKAGE} --prefix ${BUILD}/prefix)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}/build -DCMAKE_PREFIX_PATH=${BUILD}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Debug)
+run(${CMAKE_COMMAND} --build ${BUILD}/build)
+run(${BUILD}/build/consumer)
+run(${BUILD}/prefix/bin/meridian --version)

@@ -1,0 +1,145 @@
+// Cuts real meshes with the program, and compares what it counts with a list: MERIDIAN_CORPUS names a folder that holds
+// MANIFEST.csv with the columns file, components, genus_sum and loops_sum. Exit status 77 if the variable is not set.
+//
+// test_corpus manifest  all meshes of the list but the largest
+// test_corpus large     the largest, and the folder xl
+// test_corpus bad       the folder bad: each is repaired and cut, or refused with a reason
+#include "support/run_program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::uintmax_t large_size = 1900000; // bytes of a packed file
+
+int failures = 0, passed = 0;
+
+void check(bool holds, const std::string& file, const std::string& text)
+{
+  if (holds) { return; }
+  ++failures;
+  std::cout << "FAILED " << file << ": " << text << '\n';
+}
+
+std::vector<std::map<std::string, std::string>> read_manifest(const fs::path& path)
+{
+  std::vector<std::map<std::string, std::string>> rows;
+  std::vector<std::string> names;
+  std::istringstream lines(program::read(path));
+  for (std::string line; std::getline(lines, line);)
+  {
+    std::vector<std::string> fields(1);
+    bool is_quoted = false;
+    for (char c : line)
+    {
+      if (c == '"') { is_quoted = !is_quoted; }
+      else if (c == ',' && !is_quoted) { fields.emplace_back(); }
+      else { fields.back() += c; }
+    }
+    if (names.empty()) { names = fields; continue; }
+    rows.emplace_back();
+    for (std::size_t i = 0; i < names.size() && i < fields.size(); ++i) { rows.back()[names[i]] = fields[i]; }
+  }
+  return rows;
+}
+
+std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+
+// Cuts and recounts one mesh; returns its report.
+nlohmann::json cut(const program::Workplace& workplace, const fs::path& mesh)
+{
+  const std::string name = mesh.filename().string();
+  const auto r = workplace.meridian("cut " + quoted(mesh) + " -o out.ply --report report.json");
+  check(r.status == 0, name, "exit status " + std::to_string(r.status) + ": " + r.error);
+  if (r.status != 0) { return {}; }
+  const auto report = nlohmann::json::parse(program::read(workplace.folder() / "report.json"));
+  check(report["verified"] == true, name, "not verified");
+  const auto verify = workplace.meridian("verify " + quoted(mesh) + " out.ply");
+  check(verify.status == 0, name, "verify: exit status " + std::to_string(verify.status) + ": " + verify.error);
+  std::cout << name << ": " << r.out.substr(r.out.rfind("verified")) << std::flush;
+  workplace.shell("rm -f out.ply out.map.json report.json");
+  ++passed;
+  return report;
+}
+
+void run_manifest(const fs::path& corpus, bool large)
+{
+  const program::Workplace workplace;
+  const auto rows = read_manifest(corpus / "MANIFEST.csv");
+  check(!rows.empty(), "MANIFEST.csv", "no meshes");
+  for (const auto& row : rows)
+  {
+    const fs::path mesh = corpus / row.at("file");
+    if ((fs::file_size(mesh) > large_size) != large) { continue; }
+    const auto report = cut(workplace, mesh);
+    if (report.is_null()) { continue; }
+    int genus = 0, loops = 0;
+    for (const auto& c : report["components"])
+    {
+      genus += c["genus"].get<int>();
+      loops += c["boundary_loops"].get<int>();
+      check(c["field"]["saddles"] == (c["genus"] == 0 ? 0 : 2 * c["genus"].get<int>() + c["field"]["minima"].get<int>() + c["field"]["maxima"].get<int>() - 2),
+            row.at("file"), "the saddles are not 2g + minima + maxima - 2");
+      check(c["cut"]["meridians"].size() == c["genus"], row.at("file"), "the meridians are not as many as the genus");
+    }
+    const auto expect = [&](const char* column, int found) {
+      check(std::stoi(row.at(column)) == found, row.at("file"), std::string(column) + " is " + row.at(column) + ", counted " + std::to_string(found));
+    };
+    expect("components", static_cast<int>(report["components"].size()));
+    expect("genus_sum", genus);
+    expect("loops_sum", loops);
+  }
+  if (large && fs::exists(corpus / "xl"))
+    for (const auto& entry : fs::directory_iterator(corpus / "xl")) { cut(workplace, entry.path()); }
+}
+
+void run_bad(const fs::path& corpus)
+{
+  std::vector<fs::path> meshes;
+  for (const auto& entry : fs::directory_iterator(corpus / "bad")) { if (entry.path().extension() != ".csv") { meshes.push_back(entry.path()); } }
+  std::sort(meshes.begin(), meshes.end());
+  check(!meshes.empty(), "bad", "no meshes");
+  for (const fs::path& mesh : meshes)
+    for (const char* option : {"", " --repair"})
+    {
+      const program::Workplace workplace;
+      const std::string name = mesh.filename().string() + option;
+      const auto r = workplace.meridian("cut " + quoted(mesh) + " -o out.off" + option);
+      if (r.status == 0)
+      {
+        check(workplace.meridian("verify " + quoted(mesh) + " out.off").status == 0, name, "verify does not agree");
+        std::cout << name << ": " << r.out << std::flush;
+      }
+      else
+      {
+        check(r.status == 1, name, "exit status " + std::to_string(r.status) + ": " + r.error);
+        check(r.error.size() > 30, name, "refused without a reason");
+        check(workplace.number_of_files() == 0, name, "a file was left behind");
+        std::cout << name << ": " << r.error << std::flush;
+      }
+      ++passed;
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const char* corpus = std::getenv("MERIDIAN_CORPUS");
+  if (!corpus || !*corpus)
+  {
+    std::cout << "MERIDIAN_CORPUS is not set\n";
+    return 77;
+  }
+  const std::string set = argc > 1 ? argv[1] : "manifest";
+  if (set == "bad") { run_bad(corpus); }
+  else { run_manifest(corpus, set == "large"); }
+  std::cout << passed << " runs, " << failures << " failures\n";
+  return failures == 0 && passed > 0 ? 0 : 1;
+}

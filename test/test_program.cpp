@@ -1,0 +1,179 @@
+#include <boost/test/unit_test.hpp>
+
+#include "support/pipeline.h"
+#include "support/run_program.h"
+#include "support/sample_surfaces.h"
+
+#include "files/write_mesh.h"
+
+#include <nlohmann/json.hpp>
+
+using namespace meridian;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string obj(const Triangle_surface& s)
+{
+  Result_mesh m;
+  m.points = s.points;
+  m.faces = s.triangles;
+  return files::format_mesh("x.obj", m);
+}
+
+struct Fixture : program::Workplace
+{
+  Fixture() { write("mesh.obj", obj(sample::noisy(sample::punctured(sample::plate(2, 4), {30}), 0.05, 1))); }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(program::read(folder() / name)); }
+};
+
+} // namespace
+
+BOOST_FIXTURE_TEST_CASE(a_cut_writes_its_files_and_verify_agrees, Fixture)
+{
+  const auto cut = meridian("cut mesh.obj -o disc.ply --report report.json --view page.html --curves curves.obj");
+  BOOST_TEST(cut.status == 0);
+  BOOST_TEST(cut.error == "");
+  BOOST_TEST(contains(cut.out, "verified"));
+  BOOST_TEST(number_of_files() == 6u);
+  const auto report = json("report.json");
+  BOOST_TEST(report["verified"] == true);
+  BOOST_TEST(report["meridian"] == "0.1.0");
+  BOOST_TEST(report["input"]["vertices"] > 100);
+  const auto& c = report["components"][0];
+  BOOST_TEST(c["genus"] == 2);
+  BOOST_TEST(c["boundary_loops"] == 1);
+  BOOST_TEST(c["field"]["saddles"] == 4);
+  BOOST_TEST(c["cut"]["euler_characteristic"] == 1);
+  BOOST_TEST(c["cut"]["connected"] == true);
+  BOOST_TEST(c["cut"]["boundary_loops"] == 1);
+  BOOST_TEST(c["cut"]["meridians"].size() == 2u);
+  BOOST_TEST(c["cut"]["meridians"][1]["genus_after"] == 0);
+  BOOST_TEST(c["cut"]["length"].get<double>() > 0);
+  for (const char* stage : {"field", "order", "links"}) { BOOST_TEST(c["seconds"].contains(stage)); }
+  BOOST_TEST(contains(program::read(folder() / "curves.obj"), "g meridian_1\nl "));
+  BOOST_TEST(contains(program::read(folder() / "curves.obj"), "g boundary_0\nl "));
+  const auto verify = meridian("verify mesh.obj disc.ply");
+  BOOST_TEST(verify.status == 0);
+  BOOST_TEST(contains(verify.out, "verified: 1 component (genus 2, boundary loops 1) became 1 piece, each a disc"));
+}
+
+BOOST_FIXTURE_TEST_CASE(the_files_vertices_come_first_bit_for_bit, Fixture)
+{
+  BOOST_REQUIRE(meridian("cut mesh.obj -o disc.obj --quiet").status == 0);
+  const std::string before = program::read(folder() / "mesh.obj"), after = program::read(folder() / "disc.obj");
+  const std::string vertices = before.substr(0, before.find("f "));
+  BOOST_TEST(after.compare(0, vertices.size(), vertices) == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(the_same_input_gives_the_same_bytes, Fixture)
+{
+  BOOST_REQUIRE(meridian("cut mesh.obj -o a.obj --curves ca.obj --quiet").status == 0);
+  BOOST_REQUIRE(meridian("cut mesh.obj -o b.obj --curves cb.obj --quiet").status == 0);
+  for (const auto& [a, b] : {std::pair("a.obj", "b.obj"), {"a.map.json", "b.map.json"}, {"ca.obj", "cb.obj"}})
+    BOOST_TEST((program::read(folder() / a) == program::read(folder() / b)));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_result_that_was_changed_is_not_verified, Fixture)
+{
+  BOOST_REQUIRE(meridian("cut mesh.obj -o disc.off --quiet").status == 0);
+  std::string text = program::read(folder() / "disc.off");
+  const std::size_t digit = text.find_last_of("123456789", text.find("\n3 ")); // the last digit of the last vertex
+  text[digit] = text[digit] == '1' ? '2' : '1';
+  write("disc.off", text);
+  const auto verify = meridian("verify mesh.obj disc.off --report r.json");
+  BOOST_TEST(verify.status == 2);
+  BOOST_TEST(contains(verify.error, "vertices are not at the position of their origin"));
+  BOOST_TEST(json("r.json")["verified"] == false);
+  BOOST_TEST(meridian("verify mesh.obj missing.off").status == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(refused_input_leaves_no_file_and_says_the_way_out, Fixture)
+{
+  write("crowded.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");
+  write("broken.off", "OFF\n3 1 0\n0 0");
+  const std::size_t before = number_of_files();
+  const auto crowded = meridian("cut crowded.off -o out.off --report r.json --view v.html --curves c.obj");
+  BOOST_TEST(crowded.status == 1);
+  BOOST_TEST(contains(crowded.error, "1 edges have three or more faces (first: 0-1)"));
+  BOOST_TEST(contains(crowded.error, "--repair"));
+  BOOST_TEST(crowded.out == "");
+  BOOST_TEST(meridian("cut broken.off -o out.off --report r.json").status == 1);
+  BOOST_TEST(meridian("cut missing.off -o out.off").status == 1);
+  BOOST_TEST(meridian("cut mesh.obj -o out.stl --report r.json").status == 1);
+  BOOST_TEST(meridian("cut mesh.obj -o no/such/folder/out.off --report r.json").status == 1);
+  BOOST_TEST(number_of_files() == before);
+  const auto repaired = meridian("cut crowded.off -o out.off --repair");
+  BOOST_TEST(repaired.status == 0);
+  BOOST_TEST(contains(repaired.out, "note: 1 edges split"));
+}
+
+BOOST_FIXTURE_TEST_CASE(an_interrupted_run_leaves_no_file, Fixture)
+{
+  write("large.obj", obj(sample::noisy(sample::plate(3, 60), 0.001, 1)));
+  const std::size_t before = number_of_files();
+  for (const char* delay : {"0.05", "0.3", "0.6"})
+  {
+    const auto r = shell(std::string("timeout -s INT ") + delay + " '" MERIDIAN_PROGRAM "' cut large.obj -o out.obj --report r.json --view v.html");
+    BOOST_TEST((number_of_files() == before || r.status == 0));
+    const auto killed = shell(std::string("timeout -s KILL ") + delay + " '" MERIDIAN_PROGRAM "' cut large.obj -o out.obj --report r.json");
+    BOOST_TEST((number_of_files() == before || killed.status == 0));
+    shell("rm -f out.* r.json v.html");
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(wrong_usage_has_its_own_status, Fixture)
+{
+  for (const char* arguments : {"", "frobnicate", "cut mesh.obj", "cut -o x.off", "cut mesh.obj -o x.off --weights heavy", "cut mesh.obj -o x.off --minimum 99999999 --maximum 1",
+                                "cut mesh.obj -o x.off --minimum 3", "cut mesh.obj -o x.off --source -7", "verify mesh.obj"})
+  {
+    const auto r = meridian(arguments);
+    BOOST_TEST(r.status == 64, arguments);
+    BOOST_TEST(r.error != "");
+  }
+  BOOST_TEST(meridian("--help").status == 0);
+  BOOST_TEST(contains(meridian("cut --help").out, "--repair"));
+  BOOST_TEST(meridian("--version").out == "meridian 0.1.0\n");
+}
+
+BOOST_FIXTURE_TEST_CASE(info_counts_and_goes_on_after_a_bad_file, Fixture)
+{
+  const auto r = meridian("info missing.off mesh.obj --report r.json");
+  BOOST_TEST(r.status == 1);
+  BOOST_TEST(contains(r.error, "missing.off"));
+  BOOST_TEST(contains(r.out, "genus 2, boundary loops 1"));
+  BOOST_TEST(json("r.json")[1]["components"][0]["euler_characteristic"] == -3);
+}
+
+BOOST_FIXTURE_TEST_CASE(every_option_of_cut_gives_a_verified_result, Fixture)
+{
+  for (const char* options : {"--weights cotangent", "--weights mean-value", "--prefer mean-curvature", "--prefer length", "--prefer position --direction 1 0 0",
+                              "--minimum 5 --maximum 100 101", "--links plane", "--bifurcations", "--source 77", "--links plane --prefer length"})
+  {
+    const auto r = meridian(std::string("cut mesh.obj -o x.off --report x.json ") + options);
+    BOOST_TEST(r.status == 0, options << ": " << r.error);
+    BOOST_TEST(meridian("verify mesh.obj x.off").status == 0, options);
+  }
+  BOOST_TEST(meridian("cut mesh.obj -o x.off --minimum 5 --maximum 5").status == 1);
+}
+
+#ifdef MERIDIAN_CHROMIUM
+BOOST_FIXTURE_TEST_CASE(the_page_shows_the_surface_and_the_cut_without_an_error, Fixture)
+{
+  BOOST_REQUIRE(meridian("cut mesh.obj -o disc.off --view page.html --quiet").status == 0);
+  const auto r = shell("timeout 100 '" MERIDIAN_CHROMIUM "' --headless --no-sandbox --disable-gpu --use-gl=swiftshader --enable-unsafe-swiftshader"
+                       " --ignore-gpu-blocklist --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync"
+                       " --user-data-dir=browser --window-size=800,600 --enable-logging=stderr --virtual-time-budget=5000 --dump-dom 'file://"
+                       + (folder() / "page.html").string() + "#count'");
+  const auto number = [&](const std::string& key) {
+    const std::size_t at = r.out.find(key + "=\"");
+    return at == std::string::npos ? -1 : std::atoi(r.out.c_str() + at + key.size() + 2);
+  };
+  BOOST_TEST(number("data-pixels") > 10000);
+  BOOST_TEST(number("data-cut-pixels") > 100);
+  std::istringstream lines(r.error);
+  for (std::string line; std::getline(lines, line);)
+    if (contains(line, "CONSOLE")) { BOOST_TEST((!contains(line, "ERROR") && !contains(line, "Error") && !contains(line, "Uncaught")), line); }
+}
+#endif
