@@ -44,6 +44,7 @@ void check(const Cut_arguments& a, const Polygon_soup& soup)
   for (Index v : a.minima) { check_vertex("--minimum", v); }
   for (Index v : a.maxima) { check_vertex("--maximum", v); }
   if (a.source != -1) { check_vertex("--source", a.source); }
+  if (a.links == "plane" && a.bifurcations) { throw Usage_error("--bifurcations is for links on the surface; leave out --links plane"); }
 }
 
 // The options for one component: vertices of the file that it does not have are left to the others.
@@ -163,6 +164,8 @@ int run_cut(const Cut_arguments& arguments)
   if (!arguments.quiet)
   {
     for (const std::string& repair : examination.repairs) { std::cout << "note: " << repair << '\n'; }
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      if (!cuts[i].link_note.empty()) { std::cout << "note: component " << i << ": links run on the surface, because " << cuts[i].link_note << '\n'; }
     std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << cuts.size()
               << (cuts.size() == 1 ? " component" : " components") << " (genus " << genus << ", boundary loops " << loops << "), each "
               << (verification ? "now a disc" : "expected to be a disc") << "; cut length " << length << '\n';

@@ -274,6 +274,50 @@ BOOST_AUTO_TEST_CASE(every_option_gives_a_disc)
   BOOST_TEST(passes);
 }
 
+// Known answers: what the plane can and cannot do.
+BOOST_DATA_TEST_CASE(links_through_the_plane_give_a_disc, data::xrange(4), genus)
+{
+  for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.05, 2), sample::punctured(sample::plate(genus, 4), {40}),
+                        sample::punctured(sample::torus(30, 20), {5, 100, 200, 300, 420})})
+  {
+    Cut_options o;
+    o.link_domain = Link_domain::PLANE;
+    o.links.source = 11;
+    const auto run = pipeline::run(sample::soup(s), false, o);
+    for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
+    const Disc_cut& cut = run.cuts.front();
+    BOOST_TEST(cut.links_in_plane == (cut.genus > 0 || cut.boundary_loops > 0));
+    bool passes = (cut.genus == 0 && cut.boundary_loops == 0) || s.is_boundary_vertex(11);
+    for (const auto* curves : {&cut.links, &cut.meridians})
+      for (const auto& c : *curves) { passes = passes || std::count(c.begin(), c.end(), 11) > 0; }
+    BOOST_TEST(passes);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_plane_that_underflows_is_left_for_the_surface)
+{
+  // A hole at the end of a tube 100 radii long.
+  Triangle_surface tube;
+  constexpr int ring = 8, rings = 160;
+  for (int i = 0; i < rings; ++i)
+    for (int j = 0; j < ring; ++j) { tube.points.push_back({0.7 * i, std::cos(2 * sample::pi * j / ring), std::sin(2 * sample::pi * j / ring)}); }
+  for (int i = 0; i + 1 < rings; ++i)
+    for (int j = 0; j < ring; ++j)
+    {
+      const Index a = i * ring + j, b = i * ring + (j + 1) % ring;
+      tube.triangles.push_back({a, b, a + ring});
+      tube.triangles.push_back({b, b + ring, a + ring});
+    }
+  connect(tube);
+  BOOST_TEST(!embed_in_plane(tube).is_valid);
+  Cut_options o;
+  o.link_domain = Link_domain::PLANE;
+  const auto run = pipeline::run(sample::soup(tube), false, o);
+  for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
+  BOOST_TEST(!run.cuts.front().links_in_plane);
+  BOOST_TEST(run.cuts.front().link_note.find("turned over") != std::string::npos);
+}
+
 BOOST_AUTO_TEST_CASE(extrema_on_one_boundary_loop_are_refused)
 {
   const auto s = sample::punctured(sample::plate(1, 4), {30});

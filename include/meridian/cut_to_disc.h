@@ -5,6 +5,7 @@
 #include <meridian/Progress_observer.h>
 #include <meridian/link_boundaries.h>
 #include <meridian/open_along.h>
+#include <meridian/planar_links.h>
 
 #include <meridian/project_contours.h>
 #include <meridian/select_meridians.h>
@@ -194,6 +195,12 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
     });
   }
   run(Stage::LINKS, [&] {
+    if (options.link_domain == Link_domain::PLANE)
+    {
+      cut.link_note = link_boundaries_in_plane<SymmetricTraits>(root, cut.surface, options.links.source, cut.links);
+      cut.links_in_plane = cut.link_note.empty();
+      if (cut.links_in_plane) { return; }
+    }
     cut.links = link_boundaries(root, cut.surface, cut.meridians, options.links);
   });
   run(Stage::OPEN, [&] {
