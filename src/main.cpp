@@ -9,7 +9,9 @@
 #include <new>
 
 // OpenBLAS, where it is the BLAS of this system, must not split sums between threads: equal bytes out for equal bytes in.
+// CHOLMOD's own threads only wait for each other on the small blocks of a surface mesh.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+extern "C" void omp_set_num_threads(int) __attribute__((weak));
 
 namespace {
 
@@ -39,6 +41,7 @@ int main(int argc, char** argv)
 {
   using namespace meridian::program;
   if (openblas_set_num_threads) { openblas_set_num_threads(1); }
+  if (omp_set_num_threads) { omp_set_num_threads(1); }
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
   std::signal(SIGPIPE, SIG_IGN);

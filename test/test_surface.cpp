@@ -152,6 +152,16 @@ BOOST_AUTO_TEST_CASE(opening_along_a_ring_gives_a_disc_and_the_rest)
   BOOST_TEST(sample::euler_characteristic(o) == 0); // a disc and a torus with a hole
 }
 
+// Known answer, and the angle of every corner one by one.
+BOOST_AUTO_TEST_CASE(the_smallest_angle_is_the_smallest_of_all_corners)
+{
+  const auto s = sample::noisy(sample::torus(20, 9), 0.3, 5);
+  double smallest = 10;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h) { smallest = std::min(smallest, corner_angle(s, h)); }
+  BOOST_TEST(smallest_angle(s) == smallest, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(smallest_angle(sample::plate(0, 1)) == sample::pi / 4, boost::test_tools::tolerance(1e-12));
+}
+
 BOOST_AUTO_TEST_CASE(distant_nodes_lie_on_different_boundary_loops)
 {
   const auto tube = sample::punctured(sample::sphere(3), {4, 5});
@@ -159,6 +169,6 @@ BOOST_AUTO_TEST_CASE(distant_nodes_lie_on_different_boundary_loops)
   BOOST_TEST(g.number_of_nodes == g.first_loop_node + 2);
   const auto [a, b] = find_distant_nodes(tube, g);
   BOOST_TEST(a != b);
-  const auto d = edge_distances(tube, g, a);
+  const auto d = edge_distances(g, edge_lengths(tube, g), a);
   BOOST_TEST(d[b] > 2.5); // a half circle is pi
 }

@@ -28,12 +28,18 @@ inline double area(const Triangle_surface& s)
 }
 
 /// \ingroup PkgMeridianSurface
-/// \returns the smallest angle of all faces, in radians
+/// \returns the smallest angle of all faces, in radians; 0 if a face has no area
 inline double smallest_angle(const Triangle_surface& s)
 {
-  double smallest = std::acos(-1.);
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { smallest = std::min(smallest, corner_angle(s, h)); }
-  return smallest;
+  double cotangent = -std::numeric_limits<double>::infinity(); // of the smallest angle so far: the largest
+  for (const auto& t : s.triangles)
+  {
+    const Point ab = s.points[t[1]] - s.points[t[0]], bc = s.points[t[2]] - s.points[t[1]], ca = s.points[t[0]] - s.points[t[2]];
+    const double twice_area = norm(cross(ab, ca));
+    if (!(twice_area > 0)) { return 0; }
+    cotangent = std::max(cotangent, -std::min({dot(ab, ca), dot(ab, bc), dot(bc, ca)}) / twice_area);
+  }
+  return std::atan2(1., cotangent);
 }
 
 /// \ingroup PkgMeridianSurface
@@ -71,11 +77,21 @@ inline Curvature curvature(const Triangle_surface& s, Index v)
 }
 
 /// \ingroup PkgMeridianSurface
+/// \returns the length of each edge of a closed model, in the order of its edges
+inline std::vector<double> edge_lengths(const Triangle_surface& s, const Node_graph& g)
+{
+  std::vector<double> lengths;
+  lengths.reserve(g.halfedge.size());
+  for (Index h : g.halfedge) { lengths.push_back(s.length(h)); }
+  return lengths;
+}
+
+/// \ingroup PkgMeridianSurface
 /// \returns for each node its distance from `source` along edges of the mesh, infinite where it cannot be reached.
 ///          Going along a boundary loop costs nothing, as in the closed model.
 /// \par Complexity
 /// \f$ O(n \log n) \f$ (Dijkstra 1959).
-inline std::vector<double> edge_distances(const Triangle_surface& s, const Node_graph& g, Index source)
+inline std::vector<double> edge_distances(const Node_graph& g, const std::vector<double>& lengths, Index source)
 {
   std::vector<double> d(g.number_of_nodes, std::numeric_limits<double>::infinity());
   using Entry = std::pair<double, Index>;
@@ -90,7 +106,7 @@ inline std::vector<double> edge_distances(const Triangle_surface& s, const Node_
     for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
     {
       const Index b = g.neighbor[i];
-      const double reached = at + s.length(g.halfedge[i]);
+      const double reached = at + lengths[i];
       if (reached < d[b])
       {
         d[b] = reached;
@@ -106,7 +122,7 @@ inline std::vector<double> edge_distances(const Triangle_surface& s, const Node_
 ///          farthest from that along edges, and on as long as the distance grows, at most `sweeps` times. The
 ///          distance found is at least half of the largest.
 /// \pre the graph is connected and has at least two nodes
-inline std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, const Node_graph& g, int sweeps = 3)
+inline std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, const Node_graph& g, int sweeps = 2)
 {
   Point centroid{0, 0, 0};
   for (const Point& p : s.points) { centroid = centroid + p; }
@@ -119,9 +135,10 @@ inline std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, con
   Index from = farthest([&](Index a) { return distance(s.points[g.representative[a]], centroid); });
   Index to = from;
   double reached = -1;
+  const std::vector<double> lengths = edge_lengths(s, g);
   for (int i = 0; i < sweeps; ++i)
   {
-    const auto d = edge_distances(s, g, from);
+    const auto d = edge_distances(g, lengths, from);
     const Index next = farthest([&](Index a) { return a == from ? -1 : d[a]; });
     if (!(d[next] > reached)) { break; }
     reached = d[next];

@@ -1,0 +1,264 @@
+// Each part of a cut, and the whole, on plates with holes: 10 thousand to 1 million faces, genus 1 to 1000. Every answer is
+// checked before it is timed. Beside the whole stand the time to read the file and the yardstick, one assembly, ordering,
+// factorization and solve, measured in the same run with one thread; `of_yardstick` is their ratio.
+#include "support/sample_surfaces.h"
+
+#include "files/read_mesh.h"
+#include "files/write_mesh.h"
+
+#include <meridian/assemble_result.h>
+#include <meridian/verify_cut.h>
+
+#include <benchmark/benchmark.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+extern "C" void omp_set_num_threads(int) __attribute__((weak));
+
+namespace {
+
+using namespace meridian;
+
+// A plate with n x n holes, each unit side divided so that it has about the given number of faces.
+Triangle_surface plate(int faces, int genus)
+{
+  const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(genus)))), side = 2 * n + 1;
+  const double units = 2. * (side * side - n * n) + 4. * n * n + 4. * side;
+  const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(faces / units / 2))));
+  auto s = sample::skin({side, side, 1}, [](int i, int j, int) { return i % 2 == 0 || j % 2 == 0; }, k);
+  return sample::noisy(std::move(s), 0.2 / k, 1);
+}
+
+// Everything that the parts start from, made once for a surface.
+struct Stages
+{
+  Polygon_soup soup;
+  Triangle_surface root;
+  int genus;
+  Node_graph graph;
+  std::vector<double> weights;
+  std::vector<Dirichlet_value> prescribed;
+  Scalar_field field;
+  Ordered_surface ordered;
+  std::vector<Contour> loops;
+  std::vector<Loop_candidate> candidates;
+  std::vector<Surface_curve> curves;
+  Examination examination;
+  std::vector<Disc_cut> cuts;
+  Assembled_result assembled;
+
+  Stages(int faces, int wanted_genus) : root(plate(faces, wanted_genus))
+  {
+    soup = sample::soup(root);
+    genus = (2 - sample::euler_characteristic(root)) / 2;
+    graph = make_node_graph(root);
+    weights = edge_weights(root, Weights::POSITIVE);
+    const auto [a, b] = find_distant_nodes(root, graph);
+    prescribed = {{a, 0}, {b, 1}};
+    field = solve_harmonic_field(root, graph, weights, prescribed);
+    ordered = order();
+    loops = trace_saddle_loops(ordered);
+    for (const Contour& c : loops)
+    {
+      const Index v = internal::root_vertex(root, ordered.surface, c.saddle);
+      candidates.push_back({v, root.points[v], curvature(root, v), length(ordered, c), c.is_longer});
+    }
+    curves = project();
+    examination = examine_surface(soup);
+    cuts.push_back(cut_to_disc(root));
+    assembled = assemble_result(soup, examination, cuts);
+  }
+  Ordered_surface order() const
+  {
+    Ordered_surface m;
+    m.surface = divide_chords(root);
+    m.graph = graph;
+    m.field = field;
+    m.order = order_nodes(graph, field);
+    simplify_order(graph, m.order, {prescribed[0].node}, {prescribed[1].node});
+    for (Index a : graph.node) { m.rank.push_back(m.order.rank[a]); }
+    m.critical = find_critical_points(m.surface, m.rank);
+    unfold_saddles(root, m);
+    return m;
+  }
+  std::vector<Meridian_choice> select() const
+  { return select_meridians(ordered, loops, rank_by_preference(candidates, preference::gaussian_curvature)); }
+  std::vector<Surface_curve> project() const
+  {
+    std::vector<const Contour*> chosen;
+    for (const auto& c : select()) { chosen.push_back(&loops[c.loop]); }
+    return project_contours(root, ordered, chosen);
+  }
+};
+
+const Stages& stages(const benchmark::State& state)
+{
+  static std::pair<std::int64_t, std::int64_t> key;
+  static std::unique_ptr<Stages> kept; // one at a time: the largest takes a gigabyte
+  const auto wanted = std::make_pair(state.range(0), state.range(1));
+  if (!kept || key != wanted)
+  {
+    kept.reset();
+    kept = std::make_unique<Stages>(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+    key = wanted;
+  }
+  return *kept;
+}
+
+// Runs `work` once and checks it, then times it.
+template <class Work, class Check>
+void run(benchmark::State& state, const Work& work, const Check& is_right)
+{
+  const Stages& s = stages(state);
+  if (!is_right(s, work(s)))
+  {
+    state.SkipWithError("the answer is wrong");
+    return;
+  }
+  for (auto _ : state) { benchmark::DoNotOptimize(work(s)); }
+  state.counters["faces"] = static_cast<double>(s.root.number_of_faces());
+  state.counters["genus"] = s.genus;
+}
+
+double seconds(const std::function<void()>& work)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void examine(benchmark::State& state)
+{
+  run(state, [](const Stages& s) { return examine_surface(s.soup); },
+      [](const Stages& s, const Examination& e) { return e.components.size() == 1 && e.components[0].genus() == s.genus; });
+}
+
+void distant_nodes(benchmark::State& state)
+{
+  run(state, [](const Stages& s) { return find_distant_nodes(s.root, s.graph); }, [](const Stages&, const auto& p) { return p.first != p.second; });
+}
+
+void assembly_and_factorization(benchmark::State& state)
+{
+  run(state, [](const Stages& s) {
+        return solve_harmonic_field(s.root, s.graph, edge_weights(s.root, Weights::POSITIVE), s.prescribed);
+      },
+      [](const Stages& s, const Scalar_field& f) {
+        return std::all_of(f.value.begin(), f.value.end(), [](double x) { return std::abs(x) <= 1; }) && f(s.prescribed[1].node) == 1;
+      });
+}
+
+void order(benchmark::State& state)
+{
+  run(state, [](const Stages& s) { return s.order(); }, [](const Stages& s, const Ordered_surface& m) { return count(m.critical).saddles == 2 * s.genus; });
+}
+
+void contours(benchmark::State& state)
+{
+  run(state, [](const Stages& s) { return trace_saddle_loops(s.ordered); },
+      [](const Stages& s, const std::vector<Contour>& l) { return static_cast<int>(l.size()) >= 2 * s.genus; });
+}
+
+void selection(benchmark::State& state)
+{
+  run(state, [](const Stages& s) { return s.select(); },
+      [](const Stages& s, const auto& c) { return static_cast<int>(c.size()) == s.genus && c.back().genus_after == 0; });
+}
+
+void slicing(benchmark::State& state)
+{
+  run(state, [](const Stages& s) {
+        Refined_surface refined(s.root);
+        insert_curves(s.root, refined, s.curves);
+        return refined;
+      },
+      [](const Stages& s, const Refined_surface& r) { return sample::euler_characteristic(r) == 2 - 2 * s.genus; });
+}
+
+void links(benchmark::State& state)
+{
+  run(state, [](const Stages& s) {
+        Refined_surface refined(s.root);
+        const auto meridians = insert_curves(s.root, refined, s.curves).vertices;
+        return link_boundaries(s.root, refined, meridians);
+      },
+      [](const Stages& s, const auto& l) { return static_cast<int>(l.size()) == 2 * s.genus - 1; });
+}
+
+void opening(benchmark::State& state)
+{
+  run(state, [](const Stages& s) { return open_along(s.cuts[0].surface); },
+      [](const Stages& s, const Opened_surface& o) { return o.seams.size() == s.cuts[0].opened.seams.size(); });
+}
+
+void recount(benchmark::State& state)
+{
+  run(state, [](const Stages& s) { return verify_cut(s.soup, s.assembled.mesh); }, [](const Stages&, const Verification& v) { return static_cast<bool>(v); });
+}
+
+void whole_cut(benchmark::State& state)
+{
+  const auto work = [](const Stages& s) {
+    const Examination e = examine_surface(s.soup);
+    std::vector<Disc_cut> cuts;
+    for (const auto& c : e.components) { cuts.push_back(cut_to_disc(c.surface)); }
+    const Assembled_result r = assemble_result(s.soup, e, cuts);
+    return verify_cut(s.soup, r.mesh);
+  };
+  run(state, work, [](const Stages&, const Verification& v) { return static_cast<bool>(v); });
+
+  // Pairs of the whole and the yardstick, one after the other, so that a change of the machine's speed hits both.
+  const Stages& s = stages(state);
+  const std::string path = (std::filesystem::temp_directory_path() / ("meridian-" + std::to_string(getpid()) + ".off")).string();
+  Result_mesh mesh;
+  mesh.points = s.root.points;
+  mesh.faces = s.root.triangles;
+  std::ofstream(path, std::ios::binary) << files::format_mesh(path, mesh);
+  std::vector<double> ratio, yardstick, reading;
+  for (int i = 0; i < 5; ++i)
+  {
+    std::vector<Index> unknown;
+    for (Index a = 0; a < s.graph.number_of_nodes; ++a)
+      if (a != s.prescribed[0].node && a != s.prescribed[1].node) { unknown.push_back(a); }
+    std::vector<double> x(s.graph.number_of_nodes, 0);
+    x[s.prescribed[1].node] = 1;
+    yardstick.push_back(seconds([&] {
+      const auto weights = edge_weights(s.root, Weights::POSITIVE);
+      internal::Laplace_system<Symmetric_solver_traits> system(s.graph, weights);
+      system.solve(unknown, [&](Index a) { return x[a]; }, x);
+    }));
+    ratio.push_back(seconds([&] { benchmark::DoNotOptimize(work(s)); }) / yardstick.back());
+    reading.push_back(seconds([&] { benchmark::DoNotOptimize(files::read_mesh(path)); }));
+  }
+  std::filesystem::remove(path);
+  const auto median = [](std::vector<double> v) { std::sort(v.begin(), v.end()); return v[v.size() / 2]; };
+  state.counters["yardstick_s"] = median(yardstick);
+  state.counters["read_s"] = median(reading);
+  state.counters["of_yardstick"] = median(ratio);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (openblas_set_num_threads) { openblas_set_num_threads(1); }
+  if (omp_set_num_threads) { omp_set_num_threads(1); }
+  benchmark::Initialize(&argc, argv);
+  const std::vector<std::pair<const char*, void (*)(benchmark::State&)>> parts{
+    {"examine", examine}, {"distant_nodes", distant_nodes}, {"assembly_and_factorization", assembly_and_factorization}, {"order", order},
+    {"contours", contours}, {"selection", selection}, {"slicing", slicing}, {"links", links}, {"opening", opening},
+    {"verification", recount}, {"whole_cut", whole_cut}};
+  for (int faces : {10000, 100000, 1000000})
+    for (int genus : {1, 36, 1000})
+    {
+      if (genus == 1000 && faces == 10000) { continue; } // it takes twenty faces a hole
+      for (const auto& [name, part] : parts)
+        benchmark::RegisterBenchmark(name, part)->ArgNames({"faces", "genus"})->Args({faces, genus})->Unit(benchmark::kMillisecond);
+    }
+  benchmark::RunSpecifiedBenchmarks();
+}
