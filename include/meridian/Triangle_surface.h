@@ -90,6 +90,16 @@ struct Triangle_surface
 };
 
 /// \ingroup PkgMeridianSurface
+/// finds a halfedge for every vertex, that on the boundary where there is one.
+/// \pre the twins are known
+inline void find_outgoing(Triangle_surface& s)
+{
+  s.outgoing.assign(s.number_of_vertices(), -1);
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+    if (s.outgoing[s.source(h)] < 0 || s.opposite[h] < 0) { s.outgoing[s.source(h)] = h; }
+}
+
+/// \ingroup PkgMeridianSurface
 /// finds the twins of all halfedges and a halfedge for every vertex.
 ///
 /// \pre every edge has at most two faces, which run along it in opposite directions, and the faces
@@ -128,9 +138,7 @@ inline void connect(Triangle_surface& s)
       s.opposite[h] = g;
     }
   }
-  s.outgoing.assign(n, -1);
-  for (Index h = 0; h < halfedges; ++h)
-    if (s.outgoing[s.source(h)] < 0 || s.opposite[h] < 0) { s.outgoing[s.source(h)] = h; }
+  find_outgoing(s);
 }
 
 /// \ingroup PkgMeridianSurface

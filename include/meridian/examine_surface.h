@@ -65,7 +65,7 @@ inline Examination examine_surface(const Polygon_soup& soup, bool split = false)
   internal::orient(t, result.repairs);
   internal::separate_fans(t, soup.points.size(), result.added_vertex_of, result.repairs);
 
-  // Components, numbered by their first triangle; `orient` has labelled them before fans were paired again.
+  // Components, numbered by their first triangle.
   const Index n = static_cast<Index>(t.triangles.size());
   std::vector<Index> component(n, -1), stack;
   Index components = 0;
@@ -89,14 +89,22 @@ inline Examination examine_surface(const Polygon_soup& soup, bool split = false)
     ++components;
   }
   result.components.resize(components);
+  std::vector<Index> local_face(n);
   for (Index f = 0; f < n; ++f)
   {
     Surface_component& c = result.components[component[f]];
+    local_face[f] = c.surface.number_of_faces();
     c.surface.triangles.push_back(t.triangles[f]);
     c.triangle_of.push_back(t.index[f]);
     c.polygon_of.push_back(t.polygon[f]);
     c.is_flipped.push_back(t.is_flipped[f]);
   }
+  for (Index f = 0; f < n; ++f) // the twins, as `connect()` would find them
+    for (Index side = 3 * f; side < 3 * f + 3; ++side)
+    {
+      const Index o = t.twin[side];
+      result.components[component[f]].surface.opposite.push_back(o < 0 ? -1 : 3 * local_face[o / 3] + o % 3);
+    }
   std::vector<Index> local(soup.points.size() + result.added_vertex_of.size(), -1), used;
   for (Surface_component& c : result.components)
   {
@@ -114,7 +122,7 @@ inline Examination examine_surface(const Polygon_soup& soup, bool split = false)
       c.vertex_of.push_back(v);
       c.surface.points.push_back(soup.points[original]);
     }
-    connect(c.surface);
+    find_outgoing(c.surface);
     c.boundary_loops = static_cast<int>(boundary_loops(c.surface).size());
   }
   internal::note_faces_without_area(result.components, result.repairs);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <future>
 #include <numeric>
 
 namespace meridian {
@@ -98,7 +99,10 @@ public:
 
   Verification run()
   {
+    // The input and the result are taken apart side by side: neither needs the other.
+    auto pairing = std::async(std::launch::async, [this] { pair_result(); });
     read_input();
+    pairing.get();
     if (!check_arrays()) { return std::move(m_report); }
     check_vertices();
     if (!find_triangles()) { return std::move(m_report); }
@@ -414,21 +418,28 @@ private:
     return o.index[0] == m_triangles[t][k] ? o.weight[0] : 1 - o.weight[0];
   }
 
+  // Which sides of the result share an edge.
+  void pair_result()
+  {
+    const Id faces = static_cast<Id>(m_result.faces.size()), vertices = static_cast<Id>(m_result.points.size());
+    for (const auto& face : m_result.faces)
+      for (Id v : face) { if (v < 0 || v >= vertices) { return; } } // refused before this is used
+    m_result_twin.assign(3 * static_cast<std::size_t>(faces), -1);
+    for_each_edge(3 * faces, vertices, [&](Id s) { return std::make_pair(corner(s), corner(next_side(s))); }, [&](auto i, auto j) {
+      if (j - i > 2) { for (auto s = i; s != j; ++s) { m_crowded.push_back(*s / 3); } }
+      if (j - i != 2) { return; }
+      const Id a = *i, b = *(i + 1);
+      if (corner(a) == corner(b)) { m_against.push_back(b / 3); }
+      m_result_twin[a] = b;
+      m_result_twin[b] = a;
+    });
+  }
+
   // Shared edges and seams are exactly the edges of the input's subdivision that are not on its boundary.
   void check_glueing()
   {
     const Id faces = static_cast<Id>(m_result.faces.size());
-    m_result_twin.assign(3 * static_cast<std::size_t>(faces), -1);
-    std::vector<Id> crowded, wrong, unlisted, repeated, superfluous, against;
-    for_each_edge(3 * faces, static_cast<Id>(m_result.points.size()),
-                  [&](Id s) { return std::make_pair(corner(s), corner(next_side(s))); }, [&](auto i, auto j) {
-      if (j - i > 2) { for (auto s = i; s != j; ++s) { crowded.push_back(*s / 3); } }
-      if (j - i != 2) { return; }
-      const Id a = *i, b = *(i + 1);
-      if (corner(a) == corner(b)) { against.push_back(b / 3); }
-      m_result_twin[a] = b;
-      m_result_twin[b] = a;
-    });
+    std::vector<Id> wrong, unlisted, repeated, superfluous;
     std::vector<Id> seam(3 * static_cast<std::size_t>(faces), -1);
     for (std::size_t i = 0; i < m_result.seams.size(); ++i)
     {
@@ -445,8 +456,8 @@ private:
       if (m_result_twin[s] >= 0) { if (m_result_twin[s] != m_mate[s]) { wrong_neighbours.push_back(s / 3); } }
       else if (m_mate[s] >= 0 && seam[s] < 0) { unlisted.push_back(s / 3); }
     }
-    fail("faces share an edge with two or more others", crowded);
-    fail("faces run along an edge in the direction of their neighbour", against);
+    fail("faces share an edge with two or more others", m_crowded);
+    fail("faces run along an edge in the direction of their neighbour", m_against);
     fail("faces share an edge with a face that is not their neighbour on the input", wrong_neighbours);
     fail("faces are cut from a neighbour without a seam", unlisted);
     fail("seams use a side that another seam uses", repeated);
@@ -525,6 +536,7 @@ private:
   std::vector<Id> m_triangle_of;        // of each face
   std::vector<Id> m_mate;               // of each side: its neighbour on the input
   std::vector<Id> m_result_twin;        // of each side: its neighbour in the result
+  std::vector<Id> m_crowded, m_against; // faces at edges with more than two, and turned against a neighbour
 };
 
 } // namespace verification
