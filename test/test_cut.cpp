@@ -35,11 +35,7 @@ std::pair<int, int> recount(const Triangle_surface& root, const Ordered_surface&
   Refined_surface s(root);
   insert_curves(root, s, project_contours(root, m, loops));
   const auto opened = open_along(s);
-  Triangle_surface o;
-  o.triangles = opened.triangles;
-  o.points = s.points;
-  for (Index v : opened.copy_of) { o.points.push_back(s.points[v]); }
-  connect(o);
+  const Triangle_surface o = surface_of(s, opened);
   int pieces = 0;
   std::vector<char> seen(o.number_of_faces(), 0);
   for (Index f = 0; f < o.number_of_faces(); ++f)

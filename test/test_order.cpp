@@ -153,12 +153,7 @@ BOOST_AUTO_TEST_CASE(a_double_saddle_on_a_torus_becomes_two_whose_loops_cut_the_
   const auto curves = project_contours(s, m, {&loops[chosen.front().loop]});
   Refined_surface refined(s);
   insert_curves(s, refined, curves);
-  Triangle_surface o;
-  const auto opened = open_along(refined);
-  o.triangles = opened.triangles;
-  o.points = refined.points;
-  for (Index v : opened.copy_of) { o.points.push_back(refined.points[v]); }
-  connect(o);
+  const Triangle_surface o = surface_of(refined, open_along(refined));
   BOOST_TEST(boundary_loops(o).size() == 2u);
   BOOST_TEST(sample::euler_characteristic(o) == 0); // an annulus, for it is connected:
   std::vector<Index> reached{0};

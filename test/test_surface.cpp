@@ -142,11 +142,7 @@ BOOST_AUTO_TEST_CASE(opening_along_a_ring_gives_a_disc_and_the_rest)
   Refined_surface s(root);
   insert_curves(root, s, {ring(root, 20, 0.4)});
   const auto opened = open_along(s);
-  Triangle_surface o;
-  o.triangles = opened.triangles;
-  o.points = s.points;
-  for (Index v : opened.copy_of) { o.points.push_back(s.points[v]); }
-  connect(o);
+  const Triangle_surface o = surface_of(s, opened);
   BOOST_TEST(boundary_loops(o).size() == 2u);
   BOOST_TEST(opened.copy_of.size() == opened.seams.size());
   BOOST_TEST(sample::euler_characteristic(o) == 0); // a disc and a torus with a hole

@@ -249,6 +249,12 @@ BOOST_FIXTURE_TEST_CASE(a_map_of_another_mesh_is_caught, Fixture)
   BOOST_TEST(is_caught("the map is not of this mesh"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_damaged_input_is_caught, Fixture)
+{
+  input.corners[10] = 1 << 29;
+  BOOST_TEST(is_caught("1 faces of the input name a vertex that it does not have (first: 3)"));
+}
+
 BOOST_FIXTURE_TEST_CASE(indices_out_of_range_are_caught, Fixture)
 {
   result.faces[1][1] = 1 << 30;

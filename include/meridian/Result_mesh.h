@@ -36,8 +36,10 @@ struct Result_mesh
 };
 
 /// \ingroup PkgMeridianResults
-/// the one formula for the position of an origin.
-/// \param triangle the corners of triangle `i` of the input, as `for_each_triangle()` counts them
+/// \returns the position of an origin, by the one formula
+/// \param o the origin
+/// \param points the points of the input
+/// \param triangle a function: the corners of triangle `i` of the input, as `for_each_triangle()` counts them
 template <class Triangles>
 std::array<double, 3> position_of(const Result_origin& o, const std::vector<std::array<double, 3>>& points, const Triangles& triangle)
 {

@@ -83,9 +83,8 @@ Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParamete
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   Disc_cut cut = cut_to_disc(make_triangle_surface(tm), choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()));
-  std::vector<Point> points = cut.surface.points;
-  for (Index v : cut.opened.copy_of) { points.push_back(cut.surface.points[v]); }
-  internal::build(points, cut.opened.triangles, disc);
+  const Triangle_surface opened = surface_of(cut.surface, cut.opened);
+  internal::build(opened.points, opened.triangles, disc);
   return cut;
 }
 

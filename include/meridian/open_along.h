@@ -67,6 +67,18 @@ inline Opened_surface open_along(const Refined_surface& s)
   return opened;
 }
 
+/// \ingroup PkgMeridianSurface
+/// \returns an opened surface as a surface of its own, with the faces and halfedges of the refined one
+inline Triangle_surface surface_of(const Refined_surface& s, const Opened_surface& opened)
+{
+  Triangle_surface o;
+  o.triangles = opened.triangles;
+  o.points = s.points;
+  for (Index v : opened.copy_of) { o.points.push_back(s.points[v]); }
+  connect(o);
+  return o;
+}
+
 } // namespace meridian
 
 #endif // MERIDIAN_OPEN_ALONG_H

@@ -37,11 +37,7 @@ template <class SymmetricTraits = Symmetric_solver_traits>
 std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surface& s, Index source, std::vector<std::vector<Index>>& links)
 {
   const Opened_surface opened = open_along(s);
-  Triangle_surface o;
-  o.triangles = opened.triangles;
-  o.points = s.points;
-  for (Index v : opened.copy_of) { o.points.push_back(s.points[v]); }
-  connect(o);
+  const Triangle_surface o = surface_of(s, opened);
   const auto loops = boundary_loops(o);
   if (loops.empty()) { return "a closed surface has no planar domain"; }
 

@@ -3,30 +3,10 @@
 #define MERIDIAN_VERIFY_CUT_H
 
 #include <meridian/Result_mesh.h>
-
-#include <string>
+#include <meridian/Verification.h>
+#include <meridian/internal/verify_cut.h>
 
 namespace meridian {
-
-/// \ingroup PkgMeridianVerification
-/// what was counted on one component of the input and of the result.
-struct Component_count
-{
-  int vertices = 0, edges = 0, faces = 0; ///< of the input, polygons divided into triangles
-  int euler_characteristic = 0, boundary_loops = 0, genus = 0;
-  int discs = 0;                          ///< components of the result that it became
-  int disc_euler_characteristic = 0, disc_boundary_loops = 0; ///< of those together
-  int glued_euler_characteristic = 0, glued_boundary_loops = 0; ///< after the seams are glued
-};
-
-/// \ingroup PkgMeridianVerification
-/// what was found; a failed check is a result, not an error.
-struct Verification
-{
-  std::vector<Component_count> components;
-  std::vector<std::string> failures; ///< each names a defect, counts it and gives the first elements
-  explicit operator bool() const { return failures.empty(); }
-};
 
 /*!
  * \ingroup PkgMeridianVerification
@@ -49,10 +29,9 @@ struct Verification
  * \par Complexity
  * \f$ O(n \log d) \f$ for the largest degree \f$ d \f$
  */
-inline Verification verify_cut(const Polygon_soup& input, const Result_mesh& result);
+inline Verification verify_cut(const Polygon_soup& input, const Result_mesh& result)
+{ return verification::Verifier(input, result).run(); }
 
 } // namespace meridian
-
-#include <meridian/internal/verify_cut.h>
 
 #endif // MERIDIAN_VERIFY_CUT_H

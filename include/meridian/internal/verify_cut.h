@@ -2,7 +2,9 @@
 #ifndef MERIDIAN_INTERNAL_VERIFY_CUT_H
 #define MERIDIAN_INTERNAL_VERIFY_CUT_H
 
+#include <meridian/Result_mesh.h>
 #include <meridian/internal/list_elements.h>
+#include <meridian/internal/verify_input.h>
 
 #include <algorithm>
 #include <cstring>
@@ -11,86 +13,6 @@
 
 namespace meridian {
 namespace verification {
-
-using Id = std::int32_t;
-
-inline Id next_side(Id s) { return s % 3 == 2 ? s - 2 : s + 1; }
-
-class Union_find
-{
-public:
-  explicit Union_find(std::size_t n) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), Id(0)); }
-  Id find(Id a)
-  {
-    while (m_parent[a] != a) { a = m_parent[a] = m_parent[m_parent[a]]; }
-    return a;
-  }
-  void join(Id a, Id b)
-  {
-    a = find(a);
-    b = find(b);
-    if (a != b) { m_parent[std::max(a, b)] = std::min(a, b); }
-  }
-
-private:
-  std::vector<Id> m_parent;
-};
-
-// Calls f(first, last) for each group of sides with the same two ends; sides with an end below 0 are left out.
-template <class Ends, class Function>
-void for_each_edge(Id sides, Id vertices, const Ends& ends, Function f)
-{
-  std::vector<Id> begin(vertices + 1, 0), bucket(sides), high(sides, -1);
-  for (Id s = 0; s < sides; ++s)
-  {
-    const auto [a, b] = ends(s);
-    if (a < 0 || b < 0) { continue; }
-    high[s] = std::max(a, b);
-    ++begin[std::min(a, b) + 1];
-  }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Id> fill(begin.begin(), begin.end() - 1);
-  for (Id s = 0; s < sides; ++s)
-    if (high[s] >= 0)
-    {
-      const auto [a, b] = ends(s);
-      bucket[fill[std::min(a, b)]++] = s;
-    }
-  for (Id v = 0; v < vertices; ++v)
-  {
-    const auto first = bucket.begin() + begin[v], last = bucket.begin() + begin[v + 1];
-    std::sort(first, last, [&](Id a, Id b) { return high[a] != high[b] ? high[a] < high[b] : a < b; });
-    for (auto i = first, j = first; i != last; i = j)
-    {
-      while (j != last && high[*j] == high[*i]) { ++j; }
-      f(i, j);
-    }
-  }
-}
-
-// Euler characteristics and boundary loops of triangles glued along `twin`, by classes of faces.
-struct Counts { std::vector<int> vertices, edges, faces, loops; };
-
-template <class Class_of>
-Counts count_glued(Id faces, const std::vector<Id>& twin, int classes, const Class_of& class_of, Union_find& fans)
-{
-  Counts c{std::vector<int>(classes, 0), std::vector<int>(classes, 0), std::vector<int>(classes, 0), std::vector<int>(classes, 0)};
-  Union_find loops(3 * static_cast<std::size_t>(faces));
-  std::vector<char> is_on_boundary(3 * static_cast<std::size_t>(faces), 0);
-  for (Id s = 0; s < 3 * faces; ++s)
-  {
-    c.edges[class_of(s / 3)] += twin[s] < s; // an edge counts with its higher side, or its only one
-    if (fans.find(s) == s) { ++c.vertices[class_of(s / 3)]; }
-    if (twin[s] < 0)
-    {
-      loops.join(fans.find(s), fans.find(next_side(s)));
-      is_on_boundary[fans.find(s)] = is_on_boundary[fans.find(next_side(s))] = 1;
-    }
-  }
-  for (Id f = 0; f < faces; ++f) { ++c.faces[class_of(f)]; }
-  for (Id s = 0; s < 3 * faces; ++s) { c.loops[class_of(s / 3)] += is_on_boundary[s] && loops.find(s) == s; }
-  return c;
-}
 
 class Verifier
 {
@@ -101,8 +23,10 @@ public:
   {
     // The input and the result are taken apart side by side: neither needs the other.
     auto pairing = std::async(std::launch::async, [this] { pair_result(); });
-    read_input();
+    m_in = Input_topology(m_input);
+    m_report.components = m_in.counts;
     pairing.get();
+    fail("faces of the input name a vertex that it does not have", m_in.damaged);
     if (!check_arrays()) { return std::move(m_report); }
     check_vertices();
     if (!find_triangles()) { return std::move(m_report); }
@@ -119,87 +43,6 @@ private:
     std::sort(elements.begin(), elements.end());
     elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
     m_report.failures.push_back(internal::list_elements(what, elements));
-  }
-
-  // Which triangles the input has, how they are glued, and what that counts. An edge glues its sides if it has two; of an
-  // edge with more, two sides whose corners lie in the same fans at both ends, if they are the only two.
-  void read_input()
-  {
-    std::vector<char> is_dropped(m_input.number_of_polygons(), 0);
-    std::vector<Id> sorted;
-    for (std::size_t i = 0; i < m_input.number_of_polygons(); ++i)
-    {
-      sorted.assign(m_input.corners.begin() + m_input.begin[i], m_input.corners.begin() + m_input.begin[i + 1]);
-      std::sort(sorted.begin(), sorted.end());
-      is_dropped[i] = sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-    }
-    m_first_triangle.assign(m_input.number_of_polygons() + 1, 0);
-    for_each_triangle(m_input, [&](Id, Id polygon, Id a, Id b, Id c) {
-      m_triangles.push_back({a, b, c});
-      m_is_used.push_back(!is_dropped[polygon]);
-      ++m_first_triangle[polygon + 1];
-    });
-    std::partial_sum(m_first_triangle.begin(), m_first_triangle.end(), m_first_triangle.begin());
-    const Id n = static_cast<Id>(m_triangles.size());
-    m_twin.assign(3 * static_cast<std::size_t>(n), -1);
-    Union_find fans(3 * static_cast<std::size_t>(n));
-    std::vector<std::vector<Id>> crowded;
-    for_each_edge(3 * n, static_cast<Id>(m_input.points.size()), [&](Id s) { return input_ends(s); }, [&](auto i, auto j) {
-      if (j - i == 2) { glue(*i, *(i + 1), fans); }
-      else if (j - i > 2) { crowded.emplace_back(i, j); }
-    });
-    for (const auto& sides : crowded)
-    {
-      std::vector<std::array<Id, 3>> key;
-      for (Id s : sides)
-      {
-        const Id a = fans.find(s), b = fans.find(next_side(s));
-        const bool low_first = input_ends(s).first < input_ends(s).second;
-        key.push_back({low_first ? a : b, low_first ? b : a, s});
-      }
-      std::sort(key.begin(), key.end());
-      for (std::size_t i = 0, j; i < key.size(); i = j)
-      {
-        for (j = i; j < key.size() && key[j][0] == key[i][0] && key[j][1] == key[i][1]; ++j) {}
-        if (j - i == 2) { glue(key[i][2], key[i + 1][2], fans); }
-      }
-    }
-    Union_find parts(n);
-    for (Id s = 0; s < 3 * n; ++s) { if (m_twin[s] >= 0) { parts.join(s / 3, m_twin[s] / 3); } }
-    m_component.assign(n, -1);
-    int components = 0;
-    for (Id t = 0; t < n; ++t)
-    {
-      if (!m_is_used[t]) { continue; }
-      m_component[t] = parts.find(t) == t ? components++ : m_component[parts.find(t)];
-    }
-    m_report.components.resize(components);
-    const Counts c = count_glued(n, m_twin, components + 1, [&](Id t) { return m_component[t] < 0 ? components : m_component[t]; }, fans);
-    for (int i = 0; i < components; ++i)
-    {
-      Component_count& count = m_report.components[i];
-      count.vertices = c.vertices[i];
-      count.edges = c.edges[i];
-      count.faces = c.faces[i];
-      count.euler_characteristic = c.vertices[i] - c.edges[i] + c.faces[i];
-      count.boundary_loops = c.loops[i];
-      count.genus = (2 - count.euler_characteristic - count.boundary_loops) / 2;
-    }
-  }
-
-  std::pair<Id, Id> input_ends(Id s) const
-  {
-    if (!m_is_used[s / 3]) { return {-1, -1}; }
-    return {m_triangles[s / 3][s % 3], m_triangles[s / 3][next_side(s) % 3]};
-  }
-
-  void glue(Id a, Id b, Union_find& fans)
-  {
-    m_twin[a] = b;
-    m_twin[b] = a;
-    const bool opposite = input_ends(a).first == input_ends(b).second;
-    fans.join(a, opposite ? next_side(b) : b);
-    fans.join(next_side(a), opposite ? b : next_side(b));
   }
 
   bool check_arrays()
@@ -230,7 +73,7 @@ private:
       const Result_origin& o = r.origin[v];
       const bool good = o.kind == Result_origin::VERTEX ? in(o.index[0], n)
                         : o.kind == Result_origin::EDGE ? in(o.index[0], n) && in(o.index[1], n) && o.index[0] < o.index[1]
-                                                        : in(o.index[0], m_triangles.size());
+                                                        : in(o.index[0], m_in.triangles.size()) && m_in.is_used[o.index[0]];
       if (!good || r.copy_of[v] < -1 || r.copy_of[v] >= static_cast<Id>(v)) { bad_vertices.push_back(static_cast<Id>(v)); }
     }
     for (std::size_t i = 0; i < r.seams.size(); ++i)
@@ -252,7 +95,7 @@ private:
     for (std::size_t i = 0; i < r.points.size(); ++i)
     {
       const Id v = static_cast<Id>(i);
-      const auto p = position_of(r.origin[v], m_input.points, [&](Id t) -> const std::array<Id, 3>& { return m_triangles[t]; });
+      const auto p = position_of(r.origin[v], m_input.points, [&](Id t) -> const std::array<Id, 3>& { return m_in.triangles[t]; });
       if (std::memcmp(p.data(), r.points[v].data(), sizeof p) != 0) { moved.push_back(v); }
       if (r.copy_of[v] >= 0)
       {
@@ -275,7 +118,7 @@ private:
   // The sides of triangle t that an origin lies on, as bits; -1 if it does not lie on the triangle.
   int sides_of(const Result_origin& o, Id t) const
   {
-    const auto& c = m_triangles[t];
+    const auto& c = m_in.triangles[t];
     if (o.kind == Result_origin::FACE) { return o.index[0] == t ? 0 : -1; }
     int at[2] = {-1, -1};
     for (int k = 0; k < 3; ++k)
@@ -290,13 +133,13 @@ private:
     const Id faces = static_cast<Id>(m_result.faces.size());
     m_triangle_of.assign(faces, -1);
     std::vector<Id> off, missing;
-    std::vector<char> is_covered(m_triangles.size(), 0);
+    std::vector<char> is_covered(m_in.triangles.size(), 0);
     for (Id f = 0; f < faces; ++f)
     {
       const Id polygon = m_result.face_of[f];
-      for (Id t = m_first_triangle[polygon]; t < m_first_triangle[polygon + 1] && m_triangle_of[f] < 0; ++t)
+      for (Id t = m_in.first_triangle[polygon]; t < m_in.first_triangle[polygon + 1] && m_triangle_of[f] < 0; ++t)
       {
-        if (!m_is_used[t]) { continue; }
+        if (!m_in.is_used[t]) { continue; }
         int common = 7;
         bool is_on = true;
         for (Id v : m_result.faces[f])
@@ -311,10 +154,10 @@ private:
       else { is_covered[m_triangle_of[f]] = 1; }
     }
     std::size_t polygon = 0;
-    for (std::size_t t = 0; t < m_triangles.size(); ++t)
+    for (std::size_t t = 0; t < m_in.triangles.size(); ++t)
     {
-      while (m_first_triangle[polygon + 1] <= static_cast<Id>(t)) { ++polygon; }
-      if (m_is_used[t] && !is_covered[t]) { missing.push_back(static_cast<Id>(polygon)); }
+      while (m_in.first_triangle[polygon + 1] <= static_cast<Id>(t)) { ++polygon; }
+      if (m_in.is_used[t] && !is_covered[t]) { missing.push_back(static_cast<Id>(polygon)); }
     }
     fail("faces do not lie on the face of the input that the map gives them", off);
     fail("faces of the input are missing from the result", missing);
@@ -324,7 +167,7 @@ private:
   // Finds for every side of the result the side next to it on the input: within a triangle, or across an edge that glues.
   void check_subdivision()
   {
-    const Id faces = static_cast<Id>(m_result.faces.size()), triangles = static_cast<Id>(m_triangles.size());
+    const Id faces = static_cast<Id>(m_result.faces.size()), triangles = static_cast<Id>(m_in.triangles.size());
     m_mate.assign(3 * static_cast<std::size_t>(faces), -1);
     std::vector<Id> input_side(3 * static_cast<std::size_t>(faces), -1); // the side of the triangle that a side lies on
     std::vector<Id> turned, broken, holes, glued_wrong;
@@ -340,7 +183,7 @@ private:
         for (auto b = std::next(a); b != j; ++b)
         {
           const bool inside = input_side[*a] < 0 && input_side[*b] < 0 && m_triangle_of[*a / 3] == m_triangle_of[*b / 3];
-          const bool across = input_side[*a] >= 0 && input_side[*b] >= 0 && m_twin[input_side[*a]] == input_side[*b];
+          const bool across = input_side[*a] >= 0 && input_side[*b] >= 0 && m_in.twin[input_side[*a]] == input_side[*b];
           if (!inside && !across) { continue; }
           if (m_mate[*a] >= 0 || m_mate[*b] >= 0) { broken.push_back(*a / 3); }
           if (root_ends(*a).first == root_ends(*b).first) { turned.push_back(*b / 3); }
@@ -349,7 +192,7 @@ private:
         }
     });
     for (Id s = 0; s < 3 * faces; ++s)
-      if (m_mate[s] < 0 && (input_side[s] < 0 || m_twin[input_side[s]] >= 0)) { holes.push_back(s / 3); }
+      if (m_mate[s] < 0 && (input_side[s] < 0 || m_in.twin[input_side[s]] >= 0)) { holes.push_back(s / 3); }
 
     // The parts of each triangle: connected, Euler characteristic 1, and each side of the triangle divided from end to end.
     std::vector<Id> begin(triangles + 1, 0), order(faces);
@@ -382,7 +225,7 @@ private:
           rim.push_back(p);
         }
       const bool forward = rim.empty() || rim.front().from < rim.front().to;
-      kept[m_component[t]] += forward ? 1 : -1;
+      kept[m_in.component[t]] += forward ? 1 : -1;
       for (Part& p : rim)
       {
         if ((p.from < p.to) != forward) { turned.push_back(order[begin[t]]); }
@@ -392,8 +235,8 @@ private:
       for (std::size_t i = 0; i < rim.size(); ++i)
       {
         const bool first = i == 0 || rim[i - 1].side != rim[i].side, last = i + 1 == rim.size() || rim[i + 1].side != rim[i].side;
-        if (first ? rim[i].first != m_triangles[t][rim[i].side] : rim[i].first != rim[i - 1].last) { is_disc = false; }
-        if (last && rim[i].last != m_triangles[t][(rim[i].side + 1) % 3]) { is_disc = false; }
+        if (first ? rim[i].first != m_in.triangles[t][rim[i].side] : rim[i].first != rim[i - 1].last) { is_disc = false; }
+        if (last && rim[i].last != m_in.triangles[t][(rim[i].side + 1) % 3]) { is_disc = false; }
         if (!(rim[i].from < rim[i].to)) { is_disc = false; }
       }
       std::sort(corners.begin(), corners.end());
@@ -414,8 +257,8 @@ private:
   double along(Id v, Id t, int k) const
   {
     const Result_origin& o = m_result.origin[v];
-    if (o.kind == Result_origin::VERTEX) { return o.index[0] == m_triangles[t][k] ? 0 : 1; }
-    return o.index[0] == m_triangles[t][k] ? o.weight[0] : 1 - o.weight[0];
+    if (o.kind == Result_origin::VERTEX) { return o.index[0] == m_in.triangles[t][k] ? 0 : 1; }
+    return o.index[0] == m_in.triangles[t][k] ? o.weight[0] : 1 - o.weight[0];
   }
 
   // Which sides of the result share an edge.
@@ -474,7 +317,7 @@ private:
         fans.join(s, next_side(glued[s]));
         fans.join(next_side(s), glued[s]);
       }
-    const Counts c = count_glued(faces, glued, components, [&](Id f) { return m_component[m_triangle_of[f]]; }, fans);
+    const Counts c = count_glued(faces, glued, components, [&](Id f) { return m_in.component[m_triangle_of[f]]; }, fans);
     std::vector<Id> different, mislabelled;
     for (int i = 0; i < components; ++i)
     {
@@ -483,7 +326,7 @@ private:
       count.glued_boundary_loops = c.loops[i];
       if (count.glued_euler_characteristic != count.euler_characteristic || count.glued_boundary_loops != count.boundary_loops) { different.push_back(i); }
     }
-    for (Id f = 0; f < faces; ++f) { if (m_result.component_of[f] != m_component[m_triangle_of[f]]) { mislabelled.push_back(f); } }
+    for (Id f = 0; f < faces; ++f) { if (m_result.component_of[f] != m_in.component[m_triangle_of[f]]) { mislabelled.push_back(f); } }
     fail("components have another Euler characteristic or number of boundary loops than the input once the seams are glued", different);
     fail("faces are said to lie in a component that they do not lie in", mislabelled);
   }
@@ -502,7 +345,7 @@ private:
       fans.join(next_side(s), opposite ? o : next_side(o));
     }
     const int components = static_cast<int>(m_report.components.size());
-    const Counts c = count_glued(faces, m_result_twin, components, [&](Id f) { return m_component[m_triangle_of[f]]; }, fans);
+    const Counts c = count_glued(faces, m_result_twin, components, [&](Id f) { return m_in.component[m_triangle_of[f]]; }, fans);
     std::vector<Id> pinched, not_discs;
     std::vector<char> has_fan(m_result.points.size(), 0);
     for (Id s = 0; s < 3 * faces; ++s)
@@ -511,7 +354,7 @@ private:
       if (has_fan[corner(s)]) { pinched.push_back(corner(s)); }
       has_fan[corner(s)] = 1;
     }
-    for (Id f = 0; f < faces; ++f) { m_report.components[m_component[m_triangle_of[f]]].discs += parts.find(f) == f; }
+    for (Id f = 0; f < faces; ++f) { m_report.components[m_in.component[m_triangle_of[f]]].discs += parts.find(f) == f; }
     for (int i = 0; i < components; ++i)
     {
       Component_count& count = m_report.components[i];
@@ -526,12 +369,7 @@ private:
   const Polygon_soup& m_input;
   const Result_mesh& m_result;
   Verification m_report;
-  // The input.
-  std::vector<std::array<Id, 3>> m_triangles;
-  std::vector<char> m_is_used;          // of each triangle: not part of a face that repeats a vertex
-  std::vector<Id> m_first_triangle;     // of each polygon
-  std::vector<Id> m_twin;               // of each side of a triangle
-  std::vector<Id> m_component;          // of each triangle
+  Input_topology m_in;
   // The result.
   std::vector<Id> m_triangle_of;        // of each face
   std::vector<Id> m_mate;               // of each side: its neighbour on the input
@@ -540,10 +378,6 @@ private:
 };
 
 } // namespace verification
-
-inline Verification verify_cut(const Polygon_soup& input, const Result_mesh& result)
-{ return verification::Verifier(input, result).run(); }
-
 } // namespace meridian
 
 #endif // MERIDIAN_INTERNAL_VERIFY_CUT_H
