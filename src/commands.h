@@ -30,7 +30,8 @@ struct Cut_arguments : Common_arguments
 {
   std::string mesh, out, view, curves;
   std::vector<Index> minima, maxima; // vertices of the file
-  Index source = -1;
+  Index source = 0;
+  bool has_source = false, has_direction = false;
   std::string weights = "positive", prefer = "gaussian-curvature", links = "surface";
   std::vector<double> direction{0, 0, 1};
   bool bifurcations = false;

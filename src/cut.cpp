@@ -9,7 +9,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
 #include <iostream>
+#include <set>
 
 namespace meridian {
 namespace program {
@@ -23,6 +27,10 @@ public:
   explicit Terminal(bool quiet) : m_is_shown(!quiet && isatty(STDERR_FILENO)) {}
   ~Terminal() override { clear(); }
   void begin_component(std::size_t i, std::size_t n) { m_place = n > 1 ? "component " + std::to_string(i + 1) + " of " + std::to_string(n) + ", " : ""; }
+  void stage_progressed(Stage stage, double done) override
+  {
+    if (m_is_shown) { std::cerr << "\r\033[K" << m_place << name_of(stage) << ' ' << static_cast<int>(100 * done) << " %" << std::flush; }
+  }
   void stage_started(Stage stage) override
   {
     if (m_is_shown) { std::cerr << "\r\033[K" << m_place << name_of(stage) << " ..." << std::flush; }
@@ -35,20 +43,30 @@ private:
   std::string m_place;
 };
 
-void check(const Cut_arguments& a, const Polygon_soup& soup)
+// No two outputs go to one file, and none to the input.
+void check_paths(const Cut_arguments& a)
 {
-  const auto check_vertex = [&](const char* option, Index v) {
-    if (v < 0 || static_cast<std::size_t>(v) >= soup.points.size())
-      throw Usage_error(std::string(option) + ": the mesh has no vertex " + std::to_string(v) + "; its vertices are 0 to " + std::to_string(soup.points.size() - 1));
+  const auto place = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string(); };
+  std::set<std::string> places{place(a.mesh)};
+  for (const std::string& path : {a.out, files::map_path(a.out), a.report, a.view, a.curves})
+    if (!path.empty() && !places.insert(place(path)).second)
+      throw Usage_error(path + " would be written twice, or over the mesh that is read; give every file a name of its own");
+}
+
+void check_vertices(const Cut_arguments& a, const Examination& examination)
+{
+  const auto check = [&](const char* option, Index v) {
+    for (const Surface_component& c : examination.components)
+      if (std::binary_search(c.vertex_of.begin(), c.vertex_of.end(), v)) { return; }
+    throw Usage_error(std::string(option) + ": no face of the mesh has a vertex " + std::to_string(v) + "; vertices are counted from 0");
   };
-  for (Index v : a.minima) { check_vertex("--minimum", v); }
-  for (Index v : a.maxima) { check_vertex("--maximum", v); }
-  if (a.source != -1) { check_vertex("--source", a.source); }
-  if (a.links == "plane" && a.bifurcations) { throw Usage_error("--bifurcations is for links on the surface; leave out --links plane"); }
+  for (Index v : a.minima) { check("--minimum", v); }
+  for (Index v : a.maxima) { check("--maximum", v); }
+  if (a.has_source) { check("--source", a.source); }
 }
 
 // The options for one component: vertices of the file that it does not have are left to the others.
-Cut_options options_for(const Cut_arguments& a, const Surface_component& c)
+Cut_options options_for(const Cut_arguments& a, const Surface_component& c, std::size_t place)
 {
   const auto local = [&](const std::vector<Index>& vertices) {
     std::vector<Index> found;
@@ -63,14 +81,23 @@ Cut_options options_for(const Cut_arguments& a, const Surface_component& c)
   o.weights = a.weights == "cotangent" ? Weights::COTANGENT : a.weights == "mean-value" ? Weights::MEAN_VALUE : Weights::POSITIVE;
   o.minima = local(a.minima);
   o.maxima = local(a.maxima);
-  if (o.minima.empty() != o.maxima.empty())
-    throw Usage_error("--minimum and --maximum go together: a component with one of them needs the other");
+  if (c.genus() > 0 && o.minima.empty() != o.maxima.empty())
+    throw Usage_error("--minimum and --maximum go together: component " + std::to_string(place) + " has one of them and needs the other");
+  if (c.genus() > 0 && !o.minima.empty())
+  {
+    const Node_graph g = make_node_graph(c.surface);
+    for (Index v : o.minima)
+      for (Index w : o.maxima)
+        if (g.node[v] == g.node[w])
+          throw Usage_error("--minimum " + std::to_string(c.vertex_of[v]) + " and --maximum " + std::to_string(c.vertex_of[w])
+                            + (v == w ? " are one vertex" : " lie on one boundary loop, which is one place of the field") + "; choose them apart");
+  }
   if (a.prefer == "mean-curvature") { o.preference = preference::mean_curvature; }
   if (a.prefer == "length") { o.preference = preference::short_length; }
   if (a.prefer == "position") { o.preference = preference::position({a.direction[0], a.direction[1], a.direction[2]}); }
   o.link_domain = a.links == "plane" ? Link_domain::PLANE : Link_domain::SURFACE;
   o.links.bifurcations = a.bifurcations;
-  const auto source = local({a.source});
+  const auto source = a.has_source ? local({a.source}) : std::vector<Index>();
   o.links.source = source.empty() ? -1 : source.front();
   return o;
 }
@@ -105,23 +132,29 @@ std::vector<files::Named_curve> name_curves(const std::vector<Disc_cut>& cuts, c
 int run_cut(const Cut_arguments& arguments)
 {
   files::check_writable_format(arguments.out);
+  check_paths(arguments);
+  if (arguments.links == "plane" && arguments.bifurcations) { throw Usage_error("--bifurcations is for links on the surface; leave out --links plane"); }
+  if (arguments.has_direction && arguments.prefer != "position") { throw Usage_error("--direction goes with --prefer position"); }
   Terminal terminal(arguments.quiet);
   const auto now = [] { return std::chrono::steady_clock::now(); };
   const auto since = [&](auto begin) { return std::chrono::duration<double>(now() - begin).count(); };
   auto begin = now();
   const Polygon_soup soup = files::read_mesh(arguments.mesh);
   const double seconds_reading = since(begin);
-  check(arguments, soup);
 
   begin = now();
   const Examination examination = examine_surface(soup, arguments.repair);
   const double seconds_examining = since(begin);
+  check_vertices(arguments, examination);
   std::vector<Disc_cut> cuts;
   std::vector<Cut_options> options;
   for (std::size_t i = 0; i < examination.components.size(); ++i)
   {
-    options.push_back(options_for(arguments, examination.components[i]));
+    options.push_back(options_for(arguments, examination.components[i], i));
     options.back().observer = &terminal;
+  }
+  for (std::size_t i = 0; i < examination.components.size(); ++i)
+  {
     terminal.begin_component(i, examination.components.size());
     cuts.push_back(cut_to_disc(examination.components[i].surface, options.back()));
   }
@@ -139,7 +172,7 @@ int run_cut(const Cut_arguments& arguments)
   for (std::size_t i = 0; i < cuts.size(); ++i)
   {
     components.push_back(report_cut(cuts[i], examination.components[i], verification.components[i], options[i]));
-    length += cuts[i].length;
+    length += examination.components[i].unit * cuts[i].length;
     genus += cuts[i].genus;
     loops += cuts[i].boundary_loops;
   }

@@ -42,16 +42,13 @@ int main(int argc, char** argv)
   using namespace meridian::program;
   if (openblas_set_num_threads) { openblas_set_num_threads(1); }
   if (omp_set_num_threads) { omp_set_num_threads(1); }
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-  std::signal(SIGPIPE, SIG_IGN);
 
   CLI::App app{"Cuts any triangle mesh into a disc along smooth curves, and proves with integers that it did.\n"
                "Meshes are OFF, OBJ, STL, PLY or VTP files, or gzip of these."};
   app.name("meridian");
   app.set_version_flag("--version", "meridian " MERIDIAN_VERSION);
   app.require_subcommand(1);
-  app.footer("Exit status: 0 verified, 1 unusable input, 2 computed but not verified, 3 numerical failure, 64 wrong usage.\n"
+  app.footer("Exit status: 0 verified, 1 unusable input, 2 computed but not verified, 3 numerical failure, 64 wrong usage, 130 interrupted.\n"
              "Example: meridian cut elephant.off -o disc.obj --view disc.html");
 
   Info_arguments info;
@@ -76,12 +73,12 @@ int main(int argc, char** argv)
   cut_command->add_option("--maximum", cut.maxima, "vertices of MESH where the field is highest")->type_name("V...")->group(field);
   cut_command->add_option("--prefer", cut.prefer, "which handles' loops are cut first: gaussian-curvature or mean-curvature of the saddle, length, or position")
     ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position"}))->capture_default_str()->group(meridians);
-  cut_command->add_option("--direction", cut.direction, "with --prefer position: loops far out in this direction first")
+  CLI::Option* direction = cut_command->add_option("--direction", cut.direction, "with --prefer position: loops far out in this direction first")
     ->expected(3)->type_name("X Y Z")->group(meridians);
   cut_command->add_option("--links", cut.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
     ->check(CLI::IsMember({"surface", "plane"}))->capture_default_str()->group(links);
   cut_command->add_flag("--bifurcations", cut.bifurcations, "let links end on other links, which makes the cut shorter")->group(links);
-  cut_command->add_option("--source", cut.source, "a vertex of MESH that the links shall pass through")->type_name("V")->group(links);
+  CLI::Option* source = cut_command->add_option("--source", cut.source, "a vertex of MESH that the links shall pass through")->type_name("V")->group(links);
 
   Verify_arguments verify;
   CLI::App* verify_command = app.add_subcommand("verify", "recount a result of `cut` from its files alone");
@@ -103,7 +100,14 @@ int main(int argc, char** argv)
   try
   {
     if (*info_command) { return run_info(info); }
-    if (*cut_command) { return run_cut(cut); }
+    if (*cut_command)
+    {
+      std::signal(SIGINT, interrupt); // the run ends at its next step, and takes what it has written with it
+      std::signal(SIGTERM, interrupt);
+      cut.has_source = source->count() > 0;
+      cut.has_direction = direction->count() > 0;
+      return run_cut(cut);
+    }
     return run_verify(verify);
   }
   catch (const Usage_error& e) { return complain(e.what(), WRONG_USAGE); }

@@ -62,10 +62,10 @@ Json report_cut(const Disc_cut& cut, const Surface_component& component, const C
                 {"flat_regions", cut.flat_regions}};
   Json meridians = Json::array(), links = Json::array();
   for (std::size_t i = 0; i < cut.meridians.size(); ++i)
-    meridians.push_back({{"length", length_of(cut, cut.meridians[i], true)}, {"saddle", component.vertex_of[cut.saddles[i]]},
+    meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)}, {"saddle", component.vertex_of[cut.saddles[i]]},
                          {"genus_after", cut.choices[i].genus_after}, {"components_after", cut.choices[i].components_after}});
-  for (const auto& link : cut.links) { links.push_back({{"length", length_of(cut, link, false)}}); }
-  r["cut"] = {{"edges", cut.opened.seams.size()}, {"length", cut.length}, {"connected", count.discs == 1},
+  for (const auto& link : cut.links) { links.push_back({{"length", component.unit * length_of(cut, link, false)}}); }
+  r["cut"] = {{"edges", cut.opened.seams.size()}, {"length", component.unit * cut.length}, {"connected", count.discs == 1},
               {"euler_characteristic", count.disc_euler_characteristic}, {"boundary_loops", count.disc_boundary_loops},
               {"meridians", meridians}, {"links", links}, {"link_domain", cut.links_in_plane ? "plane" : "surface"},
               {"new_vertices", cut.surface.origins.size()}, {"smallest_angle_before", degrees(cut.smallest_angle_before)},
@@ -77,7 +77,7 @@ Json report_cut(const Disc_cut& cut, const Surface_component& component, const C
   return r;
 }
 
-std::string format_report(const Json& report) { return report.dump(2) + "\n"; }
+std::string format_report(const Json& report) { return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
 
 } // namespace program
 } // namespace meridian

@@ -314,6 +314,21 @@ BOOST_AUTO_TEST_CASE(a_plane_that_underflows_is_left_for_the_surface)
   BOOST_TEST(run.cuts.front().link_note.find("turned over") != std::string::npos);
 }
 
+BOOST_AUTO_TEST_CASE(a_source_on_a_sphere_is_reached_from_everywhere)
+{
+  for (int levels : {0, 1, 2})
+    for (Index v = 0; v < 6; ++v)
+    {
+      Cut_options o;
+      o.links.source = v;
+      const auto run = pipeline::run(sample::soup(sample::noisy(sample::sphere(levels), 0.1, 4)), false, o);
+      for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
+      bool passes = false;
+      for (const auto& link : run.cuts.front().links) { passes = passes || std::count(link.begin(), link.end(), v) > 0; }
+      BOOST_TEST(passes);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(extrema_on_one_boundary_loop_are_refused)
 {
   const auto s = sample::punctured(sample::plate(1, 4), {30});

@@ -68,6 +68,8 @@ BOOST_FIXTURE_TEST_CASE(off_is_read_with_comments_colours_and_counts_on_any_line
   BOOST_TEST(s.points.size() == 4u);
   BOOST_TEST(s.points[3][2] == -0.5);
   BOOST_TEST(polygon(s, 0) == (std::vector<Index>{0, 1, 2, 3}), boost::test_tools::per_element());
+  const auto tiny = read("c.off", "OFF\n3 1 0\n1e-400 -1e-400 0\n0." + std::string(400, '0') + "1 1 0\n0 1 0\n3 0 1 2\n");
+  BOOST_TEST((tiny.points[0][0] == 0 && tiny.points[1][0] == 0));
   BOOST_TEST(read("b.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").number_of_polygons() == 1u);
 }
 

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace meridian {
@@ -17,7 +16,6 @@ struct Polygon_soup
   std::vector<std::array<double, 3>> points;
   std::vector<std::int32_t> corners;      ///< the polygons' point indices, one after the other
   std::vector<std::size_t> begin{0};      ///< polygon `i` has the corners `begin[i]` to `begin[i+1]-1`
-  std::vector<std::string> notes;         ///< what reading changed: welded points, for example
 
   std::size_t number_of_polygons() const { return begin.size() - 1; }
   std::size_t size(std::size_t i) const { return begin[i + 1] - begin[i]; }

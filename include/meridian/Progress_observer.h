@@ -37,7 +37,7 @@ class Progress_observer
 public:
   virtual ~Progress_observer() = default;
   virtual void stage_started(Stage) {}                     ///< called once before each stage
-  virtual void stage_progressed(Stage, double /*done*/) {} ///< `done` grows from 0 to 1
+  virtual void stage_progressed(Stage, double /*done*/) {} ///< `done` grows from 0 to 1; told by the links, the longest loop
   virtual void stage_finished(Stage) {}                    ///< not called if the stage throws
   /// asked between steps. \returns `false` to end the run with `Cancelled`
   virtual bool go_further() { return true; }
@@ -52,22 +52,12 @@ public:
   Stage_scope(Progress_observer* observer, Stage stage) : m_observer(observer), m_stage(stage)
   {
     if (m_observer) { m_observer->stage_started(m_stage); }
-    check();
-  }
-  // Called between steps: passes on how much is done, and ends the run if asked to.
-  void progress(double done) const
-  {
-    if (m_observer) { m_observer->stage_progressed(m_stage, done); }
-    check();
+    if (m_observer && !m_observer->go_further())
+      throw Cancelled(std::string("cancelled during stage '") + name_of(m_stage) + "'");
   }
   void finish() const { if (m_observer) { m_observer->stage_finished(m_stage); } }
 
 private:
-  void check() const
-  {
-    if (m_observer && !m_observer->go_further())
-      throw Cancelled(std::string("cancelled during stage '") + name_of(m_stage) + "'");
-  }
   Progress_observer* m_observer;
   Stage m_stage;
 };

@@ -5,6 +5,7 @@
 #include <meridian/Result_mesh.h>
 #include <meridian/cut_to_disc.h>
 #include <meridian/examine_surface.h>
+#include <meridian/verify_cut.h>
 
 namespace meridian {
 
@@ -140,6 +141,30 @@ inline Assembled_result assemble_result(const Polygon_soup& soup, const Examinat
   std::sort(r.seams.begin(), r.seams.end());
   for (std::size_t i = 0; i < cuts.size(); ++i) { place[i].resize(cuts[i].surface.number_of_vertices()); }
   return result;
+}
+
+/*!
+ * \ingroup PkgMeridianResults
+ *
+ * \returns the recount of a cut that was made without a file: the surface and the disc as plain arrays, given to `verify_cut()`
+ * \param root the surface that was cut
+ * \param cut its cut
+ */
+inline Verification verify_cut(const Triangle_surface& root, const Disc_cut& cut)
+{
+  Polygon_soup soup;
+  soup.points = root.points;
+  for (const auto& t : root.triangles) { soup.add_polygon(t.data(), 3); }
+  Examination examination;
+  examination.components.resize(1);
+  Surface_component& c = examination.components.front();
+  c.vertex_of.resize(root.number_of_vertices());
+  c.triangle_of.resize(root.number_of_faces());
+  std::iota(c.vertex_of.begin(), c.vertex_of.end(), Index(0));
+  std::iota(c.triangle_of.begin(), c.triangle_of.end(), Index(0));
+  c.polygon_of = c.triangle_of;
+  c.is_flipped.assign(root.number_of_faces(), 0);
+  return verify_cut(soup, assemble_result(soup, examination, {cut}).mesh);
 }
 
 } // namespace meridian

@@ -201,7 +201,15 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
       cut.links_in_plane = cut.link_note.empty();
       if (cut.links_in_plane) { return; }
     }
-    cut.links = link_boundaries(root, cut.surface, cut.meridians, options.links);
+    Link_options links = options.links;
+    if (options.observer)
+    {
+      links.progress = [&](double done) {
+        options.observer->stage_progressed(Stage::LINKS, done);
+        if (!options.observer->go_further()) { throw Cancelled("cancelled during stage 'links'"); }
+      };
+    }
+    cut.links = link_boundaries(root, cut.surface, cut.meridians, links);
   });
   run(Stage::OPEN, [&] {
     cut.opened = open_along(cut.surface);

@@ -19,6 +19,7 @@ struct Surface_component
   std::vector<Index> polygon_of;  ///< the soup's polygon of each face
   std::vector<char> is_flipped;   ///< whether the face was turned over: its last two corners change places
   int boundary_loops = 0;
+  double unit = 1;                ///< a length on `surface` is this many units of the soup; not 1 only for extreme coordinates
   int euler_characteristic() const { return surface.number_of_vertices() - surface.number_of_edges() + surface.number_of_faces(); }
   int genus() const { return (2 - euler_characteristic() - boundary_loops) / 2; }
 };
@@ -40,7 +41,8 @@ struct Examination
  * Orientability is decided first, by walking through all faces with a side to keep; nothing is ever cut to make a surface
  * orientable. Then, each listed under `repairs`: polygons with a repeated corner or fewer than three are left out;
  * unreferenced points stay and are not used; faces are turned over, the fewer ones of a component, until all agree;
- * a vertex whose faces form several fans becomes one vertex a fan; faces without area stay.
+ * a vertex whose faces form several fans becomes one vertex a fan; faces without area stay. Where squares of coordinates
+ * would leave the range of double, a component is brought to size by an exact power of two.
  *
  * \param soup points and polygons
  * \param split whether edges with three or more faces are split: each of their faces gets a border of its own there,
@@ -53,9 +55,7 @@ struct Examination
  */
 inline Examination examine_surface(const Polygon_soup& soup, bool split = false)
 {
-  using internal::list_elements;
   Examination result;
-  result.repairs = soup.notes;
   internal::check_indices_and_points(soup);
   internal::Soup_topology t = internal::gather_triangles(soup, result.repairs);
   if (t.triangles.empty())
@@ -122,6 +122,7 @@ inline Examination examine_surface(const Polygon_soup& soup, bool split = false)
       c.vertex_of.push_back(v);
       c.surface.points.push_back(soup.points[original]);
     }
+    c.unit = internal::bring_to_scale(c.surface.points);
     find_outgoing(c.surface);
     c.boundary_loops = static_cast<int>(boundary_loops(c.surface).size());
   }

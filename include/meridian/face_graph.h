@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_FACE_GRAPH_H
 #define MERIDIAN_FACE_GRAPH_H
 
-#include <meridian/cut_to_disc.h>
+#include <meridian/assemble_result.h>
 #include <meridian/internal/convert_face_graph.h>
 #include <meridian/parameters.h>
 
@@ -71,8 +71,8 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
  * \param tm the mesh
  * \param disc receives the disc: the vertices of `tm` in their order, then new ones, then copies
  * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`)
- * \returns the cut
- * \pre `disc` is empty
+ * \returns the cut, recounted
+ * \pre `disc` is empty, `tm` is connected
  * \throws Invalid_input_error, Solver_error, Cancelled as the function above
  */
 template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -82,7 +82,10 @@ Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParamete
                 "cut_to_disc() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  Disc_cut cut = cut_to_disc(make_triangle_surface(tm), choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()));
+  const Triangle_surface root = make_triangle_surface(tm);
+  Disc_cut cut = cut_to_disc(root, choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()));
+  const Verification recount = verify_cut(root, cut);
+  if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
   const Triangle_surface opened = surface_of(cut.surface, cut.opened);
   internal::build(opened.points, opened.triangles, disc);
   return cut;

@@ -5,6 +5,8 @@
 #include <meridian/internal/slit_surface.h>
 #include <meridian/internal/sleeve_search.h>
 
+#include <functional>
+
 namespace meridian {
 
 /// \ingroup PkgMeridianLinks
@@ -13,6 +15,7 @@ struct Link_options
 {
   bool bifurcations = false; ///< whether a link may end on an earlier link
   Index source = -1;         ///< a root vertex that the links shall pass through, or -1
+  std::function<void(double)> progress; ///< told after each link how much is done, from 0 to 1; may throw to end the run
 };
 
 /*!
@@ -62,6 +65,7 @@ inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& r
       throw Internal_error("link_boundaries: a boundary cannot be reached");
     links.push_back(slit.insert(sleeve));
     search.grow();
+    if (options.progress) { options.progress(static_cast<double>(links.size()) / (slit.number_of_loops() - 1)); }
   }
   for (Index loop = 1; loop < slit.number_of_loops(); ++loop) // links that went elsewhere than planned
     while (!slit.are_joined(0, loop))

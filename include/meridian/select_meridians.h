@@ -31,7 +31,7 @@ using Preference = std::function<double(const Loop_candidate&)>;
 /// ready-made preferences. Those that rate saddles put the longer loop of every saddle behind the shorter loops of all.
 namespace preference {
 namespace internal {
-inline double rate_saddle(double rate, const Loop_candidate& c) { return c.is_longer ? -1 / (1 + rate) : rate; } // rate >= 0
+inline double rate_saddle(double rate, const Loop_candidate& c) { return c.is_longer ? -1 / (1 + std::min(rate, 1e300)) : rate; } // rate >= 0
 } // namespace internal
 /// saddles of high curvature first, whatever its sign: seams there cost little distortion (the paper's choice)
 inline double gaussian_curvature(const Loop_candidate& c) { return internal::rate_saddle(std::abs(c.curvature.gaussian), c); }
@@ -60,7 +60,8 @@ inline std::vector<std::size_t> rank_by_preference(const std::vector<Loop_candid
   for (const auto& c : candidates)
   {
     const double r = rate(c);
-    key.emplace_back(std::isnan(r) ? std::numeric_limits<double>::infinity() : -r, c.length);
+    const double last = std::numeric_limits<double>::infinity();
+    key.emplace_back(std::isnan(r) ? last : -r, std::isnan(c.length) ? last : c.length);
   }
   std::vector<std::size_t> order(candidates.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

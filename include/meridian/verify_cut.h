@@ -20,7 +20,8 @@ namespace meridian {
  * - glueing the seams gives the genus and the boundary loops of the input;
  * - every component of the input became one disc: connected, Euler characteristic 1, one boundary loop, no pinched vertex.
  *
- * All of it is counted by sorting sides and by union-find of corners. Nothing is shared with the code that cuts.
+ * All of it is counted by sorting sides and by union-find of corners. Nothing is shared with the code that
+ * cuts but the plain arrays of input and result, the fan of a polygon and the formula of a position.
  *
  * \param input the input as it was read
  * \param result the result as it was read

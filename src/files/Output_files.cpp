@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 namespace meridian {
 namespace files {
@@ -24,6 +25,8 @@ std::string folder_of(const std::string& path)
   const std::size_t slash = path.find_last_of('/');
   return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
+
+std::string hidden_name(const std::string& path) { return path + ".part-" + std::to_string(getpid()); }
 
 std::string pack(const std::string& path, const std::string& bytes)
 {
@@ -65,19 +68,18 @@ Output_files::~Output_files()
 void Output_files::add(const std::string& path, const std::string& bytes)
 {
   struct stat existing;
-  if (stat(path.c_str(), &existing) == 0 && S_ISDIR(existing.st_mode)) { errno = EISDIR; fail(path, "cannot be written"); }
-  const bool is_packed = path.size() > 3 && path.compare(path.size() - 3, 3, ".gz") == 0;
-  const std::string packed = is_packed ? pack(path, bytes) : std::string();
-  const std::string& content = is_packed ? packed : bytes;
+  if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode)) { throw File_error(path + ": cannot be written: it is not a plain file"); }
+  const std::string packed = is_packed(path) ? pack(path, bytes) : std::string();
+  const std::string& content = is_packed(path) ? packed : bytes;
 
   File file;
-  file.path = path;
+  file.path = std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
 #ifdef O_TMPFILE
-  file.descriptor = open(folder_of(path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  file.descriptor = open(folder_of(file.path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 #endif
   if (file.descriptor < 0)
   {
-    const std::string hidden = path + ".part-" + std::to_string(getpid());
+    const std::string hidden = hidden_name(file.path);
     file.descriptor = open(hidden.c_str(), O_CREAT | O_TRUNC | O_WRONLY | O_CLOEXEC, 0666);
     if (file.descriptor < 0) { fail(path, "cannot be written"); }
     file.hidden = hidden;
@@ -97,7 +99,7 @@ void Output_files::commit()
   for (File& file : m_files)
     if (file.hidden.empty())
     {
-      const std::string hidden = file.path + ".part-" + std::to_string(getpid());
+      const std::string hidden = hidden_name(file.path);
       unlink(hidden.c_str());
       const std::string link = "/proc/self/fd/" + std::to_string(file.descriptor);
       if (linkat(AT_FDCWD, link.c_str(), AT_FDCWD, hidden.c_str(), AT_SYMLINK_FOLLOW) != 0) { fail(file.path, "cannot be written"); }

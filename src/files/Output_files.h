@@ -19,7 +19,8 @@ public:
   Output_files& operator=(const Output_files&) = delete;
   ~Output_files();
 
-  // Writes `bytes` for `path`, packed if that ends with ".gz". Throws File_error.
+  // Writes `bytes` for `path`, packed if that ends with ".gz". Links are followed; what is there must be a plain file.
+  // Throws File_error.
   void add(const std::string& path, const std::string& bytes);
   // Moves all files to their places. Throws File_error.
   void commit();

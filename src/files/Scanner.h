@@ -5,7 +5,7 @@
 #include "read_mesh.h"
 
 #include <charconv>
-#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <string_view>
 
@@ -58,18 +58,14 @@ public:
     const char *first = text.data(), *last = first + text.size();
     if (first < last && *first == '+') { ++first; }
     const auto [p, error] = std::from_chars(first, last, value);
-    if (error == std::errc::result_out_of_range && std::is_floating_point_v<Number>) { return static_cast<Number>(out_of_range(text)); }
+    if (error == std::errc::result_out_of_range && std::is_floating_point_v<Number>)
+      return static_cast<Number>(std::strtod(std::string(text).c_str(), nullptr)); // zero, or infinite
     if (error != std::errc() || p != last) { fail("expected " + std::string(name) + ", found '" + std::string(text.substr(0, 40)) + "'"); }
     return value;
   }
 
 private:
   static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v'; }
-  static double out_of_range(std::string_view text)
-  {
-    const std::size_t e = text.find_first_of("eE");
-    return e != std::string_view::npos && e + 1 < text.size() && text[e + 1] == '-' ? 0. : HUGE_VAL; // too small, or too large
-  }
   template <class Number> Number number(const char* name)
   {
     skip_space(true);

@@ -36,11 +36,17 @@ std::string read_bytes(const std::string& path)
   }
 }
 
+bool is_packed(const std::string& path)
+{
+  const std::size_t n = path.size();
+  return n > 3 && path[n - 3] == '.' && std::tolower(static_cast<unsigned char>(path[n - 2])) == 'g' && std::tolower(static_cast<unsigned char>(path[n - 1])) == 'z';
+}
+
 std::string format_of(const std::string& path)
 {
   std::string name = path.substr(path.find_last_of("/\\") + 1);
   std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (name.size() > 3 && name.compare(name.size() - 3, 3, ".gz") == 0) { name.resize(name.size() - 3); }
+  if (is_packed(name)) { name.resize(name.size() - 3); }
   const std::size_t dot = name.find_last_of('.');
   return dot == std::string::npos ? "" : name.substr(dot + 1);
 }

@@ -22,6 +22,9 @@ Polygon_soup read_mesh(const std::string& path);
 // The whole file, unpacked if it is gzip.
 std::string read_bytes(const std::string& path);
 
+// Whether the name ends with ".gz".
+bool is_packed(const std::string& path);
+
 // The ending of a path in lower case, without ".gz".
 std::string format_of(const std::string& path);
 

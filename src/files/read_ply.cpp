@@ -129,7 +129,7 @@ Polygon_soup read_ply(const std::string& bytes)
     if (is_vertex && (axis[0] < 0 || axis[1] < 0 || axis[2] < 0)) { throw File_error("PLY: the vertices have no x, y and z"); }
     if ((is_face || is_strip) && corners < 0) { throw File_error("PLY: the element '" + element.name + "' has no list 'vertex_indices'"); }
     has_faces |= is_face || is_strip;
-    for (std::int64_t i = 0; i < element.count; ++i)
+    for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
     {
       std::array<double, 3> point{0, 0, 0};
       for (std::size_t k = 0; k < element.properties.size(); ++k)

@@ -4,10 +4,6 @@
 
 #include <pugixml.hpp>
 #include <zlib.h>
-
-#include <cmath>
-#include <limits>
-
 namespace meridian {
 namespace files {
 
@@ -109,7 +105,7 @@ private:
       return std::string(bytes.substr(m_header_size, static_cast<std::size_t>(size)));
     }
     const std::uint64_t blocks = header(bytes, 0), block_size = header(bytes, 1), last_size = header(bytes, 2);
-    if (block_size > (1u << 30)) { throw File_error("VTP: a block of impossible size"); }
+    if (block_size > (1u << 30) || last_size > block_size) { throw File_error("VTP: a block of impossible size"); }
     std::string result;
     if (blocks > bytes.size() / m_header_size) { throw File_error("VTP: the file ends too early"); }
     std::size_t at = m_header_size * (3 + static_cast<std::size_t>(blocks));
@@ -207,7 +203,7 @@ Polygon_soup read_vtp(const std::string& bytes)
         for (; static_cast<double>(at) < end; ++at)
         {
           const std::int32_t i = index(corners[at]);
-          polygon.push_back(i < 0 ? -1 : i + base);
+          polygon.push_back(i < 0 || i > 2147483646 - base ? -1 : i + base);
         }
         if (!is_strip) { soup.add_polygon(polygon.data(), polygon.size()); continue; }
         for (std::size_t j = 2; j < polygon.size(); ++j)

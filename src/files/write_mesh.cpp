@@ -143,7 +143,7 @@ std::string format_curves(const std::vector<std::array<double, 3>>& points, cons
 std::string map_path(const std::string& path)
 {
   std::string stem = path;
-  if (stem.size() > 3 && stem.compare(stem.size() - 3, 3, ".gz") == 0) { stem.resize(stem.size() - 3); }
+  if (is_packed(stem)) { stem.resize(stem.size() - 3); }
   const std::size_t dot = stem.find_last_of('.'), slash = stem.find_last_of('/');
   if (dot != std::string::npos && (slash == std::string::npos || dot > slash)) { stem.resize(dot); }
   return stem + ".map.json";
@@ -172,21 +172,27 @@ void read_map(const std::string& path, Result_mesh& mesh)
   try
   {
     const auto json = nlohmann::json::parse(read_bytes(path));
-    json.at("copy_of").get_to(mesh.copy_of);
-    json.at("face_of").get_to(mesh.face_of);
-    json.at("component_of").get_to(mesh.component_of);
-    json.at("seams").get_to(mesh.seams);
-    mesh.origin.clear();
+    const auto index = [&](const nlohmann::json& entry) {
+      if (!entry.is_number_integer() || entry > 2147483647 || entry < -2147483647) { throw File_error(path + ": an index is not a whole number in range"); }
+      return entry.get<std::int32_t>();
+    };
+    const auto read_indices = [&](const char* key, std::vector<std::int32_t>& list) {
+      for (const auto& entry : json.at(key)) { list.push_back(index(entry)); }
+    };
+    read_indices("copy_of", mesh.copy_of);
+    read_indices("face_of", mesh.face_of);
+    read_indices("component_of", mesh.component_of);
+    for (const auto& entry : json.at("seams")) { mesh.seams.push_back({index(entry.at(0)), index(entry.at(1))}); }
     for (const auto& entry : json.at("origin"))
     {
       Result_origin o;
-      o.index[0] = entry.at(0).get<std::int32_t>();
+      o.index[0] = index(entry.at(0));
       switch (entry.size())
       {
       case 1: break;
       case 3:
         o.kind = Result_origin::EDGE;
-        o.index[1] = entry.at(1).get<std::int32_t>();
+        o.index[1] = index(entry.at(1));
         o.weight[0] = entry.at(2).get<double>();
         break;
       case 4:

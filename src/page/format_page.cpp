@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdio>
 
 // Files that the assembler puts into the program.
 #define MERIDIAN_EMBED(NAME, FILE)                                                     \
@@ -67,8 +67,9 @@ std::string format_page(const std::string& title, const Examination& examination
         low[i] = std::min(low[i], points[v][i]);
         high[i] = std::max(high[i], points[v][i]);
       }
-  const Point middle = 0.5 * (low + high);
-  const double size = std::max(norm(high - low) / 2, 1e-300);
+  const Point middle = 0.5 * low + 0.5 * high;
+  double size = 1e-300;
+  for (int i = 0; i < 3; ++i) { size = std::max(size, (high[i] / 2 - low[i] / 2) * 1.5); }
   const auto append = [&](std::vector<float>& array, Index v) {
     for (int i = 0; i < 3; ++i) { array.push_back(static_cast<float>((points[v][i] - middle[i]) / size)); }
   };
@@ -84,7 +85,7 @@ std::string format_page(const std::string& title, const Examination& examination
     const auto base = static_cast<std::uint32_t>(positions.size() / 3);
     genus += examination.components[c].genus();
     loops += examination.components[c].boundary_loops;
-    length += cut.length;
+    length += examination.components[c].unit * cut.length;
     const Triangle_surface& root = examination.components[c].surface;
     for (Index v = 0; v < cut.surface.number_of_vertices(); ++v)
     {

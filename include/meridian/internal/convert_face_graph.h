@@ -56,6 +56,13 @@ Triangle_surface convert(const TriangleMesh& tm, VertexPointMap vpm)
   connect(s);
   for (Index v = 0; v < s.number_of_vertices(); ++v)
     if (s.outgoing[v] < 0) { throw Invalid_input_error("vertex " + std::to_string(v) + " belongs to no face; remove it"); }
+  std::vector<Index> corners(s.number_of_vertices(), 0);
+  for (const auto& t : s.triangles) { for (Index v : t) { ++corners[v]; } }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    s.for_each_outgoing(v, [&](Index) { --corners[v]; });
+    if (corners[v] != 0) { throw Invalid_input_error("vertex " + std::to_string(v) + " is pinched: its faces form several fans; divide it first"); }
+  }
   return s;
 }
 
@@ -76,7 +83,8 @@ build(const std::vector<Point>& points, const std::vector<std::array<Index, 3>>&
   for (const auto& t : triangles)
   {
     const std::array<Vertex, 3> corners{vertex[t[0]], vertex[t[1]], vertex[t[2]]};
-    CGAL::Euler::add_face(corners, mesh);
+    if (CGAL::Euler::add_face(corners, mesh) == boost::graph_traits<Mesh>::null_face())
+      throw Internal_error("a face cannot be added to the mesh");
   }
   return vertex;
 }

@@ -4,8 +4,6 @@
 
 #include <meridian/Node_graph.h>
 
-#include <CGAL/number_utils.h>
-
 #include <cmath>
 #include <string>
 
@@ -62,12 +60,12 @@ public:
     {
       Vector solution(n);
       if (!is_factored || !solver.linear_solver(right[k], solution))
-        throw Solver_error("the system of " + std::to_string(n) + " equations cannot be factorized; the positive weights always can be");
+        throw Solver_error("the system of " + std::to_string(n) + " equations cannot be factorized; the symmetric positive weights are the safest");
       for (std::size_t i = 0; i < n; ++i)
       {
         const double value = solution[i] / denominator;
         if (!std::isfinite(value))
-          throw Solver_error("the solution of the system is not finite; the positive weights always give a finite one");
+          throw Solver_error("the solution of the system is not finite; the symmetric positive weights are the safest");
         write(unknown[i], static_cast<int>(k), value);
       }
     }

@@ -3,6 +3,7 @@
 #define MERIDIAN_INTERNAL_LIST_ELEMENTS_H
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>

@@ -199,6 +199,7 @@ Pulled_path straighten(const Triangle_surface& s, Sleeve& sleeve, const May_cros
 template <class May_cross, class Is_free>
 Surface_curve shortest_curve(const Triangle_surface& s, Sleeve& sleeve, const May_cross& may_cross, const Is_free& is_free)
 {
+  constexpr double beside = 0.2;
   Surface_curve curve;
   curve.points.push_back(Curve_point::on_vertex(sleeve.start));
   if (!sleeve.halfedges.empty())
@@ -208,7 +209,10 @@ Surface_curve shortest_curve(const Triangle_surface& s, Sleeve& sleeve, const Ma
     for (std::size_t i = 0; i < sleeve.halfedges.size(); ++i)
     {
       const Index h = sleeve.halfedges[i], e = s.edge(h);
-      crossings.push_back({h, e, 0, 0, e == h ? path.fraction[i] : 1 - path.fraction[i], true});
+      double t = path.fraction[i]; // beside a vertex that cannot be passed, room is left for the next link
+      if (!is_free(s.source(h))) { t = std::max(t, beside); }
+      if (!is_free(s.target(h))) { t = std::min(t, std::max(1 - beside, 0.5)); }
+      crossings.push_back({h, e, 0, 0, e == h ? t : 1 - t, true});
     }
     if (!crossings.empty())
     {

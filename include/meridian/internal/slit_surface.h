@@ -68,42 +68,12 @@ public:
       const bool both_are_points = m_vertices[a].size() == 1 && m_vertices[b].size() == 1;
       if (both_are_points) // one edge between two points would open nothing
       {
-        const Index middle = split(h);
+        const Index middle = refine(Surface_curve{{Curve_point::on_edge(h, 0.5)}, false}, false).front();
         curve.points.insert(curve.points.begin() + 1, Curve_point::on_vertex(middle));
       }
     }
 
-    // Labels of the corners that the insertion may move to other faces.
-    struct Corner { Index face, vertex, loop; };
-    std::vector<Corner> corners;
-    const auto remember = [&](Index f) {
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) { corners.push_back({f, m_surface.source(h), m_loop[h]}); }
-    };
-    for (const Curve_point& p : curve.points)
-      if (!p.is_vertex())
-      {
-        remember(m_surface.face(p.halfedge));
-        remember(m_surface.face(m_surface.opposite[p.halfedge]));
-      }
-    const auto order = [](const Corner& x, const Corner& y) { return std::tie(x.face, x.vertex) < std::tie(y.face, y.vertex); };
-    std::sort(corners.begin(), corners.end(), order);
-
-    const Insertion done = insert_curves(m_root, m_surface, {curve});
-    const std::vector<Index>& path = done.vertices.front();
-    m_loop.resize(m_surface.number_of_halfedges(), -1);
-    m_was_changed.resize(m_surface.number_of_faces(), 0);
-    m_is_used.resize(m_surface.number_of_vertices(), 0);
-    parents.insert(parents.end(), done.parent.begin(), done.parent.end());
-    const auto relabel = [&](Index f, Index parent) {
-      m_was_changed[f] = 1;
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        const auto c = std::lower_bound(corners.begin(), corners.end(), Corner{parent, m_surface.source(h), -1}, order);
-        m_loop[h] = c != corners.end() && c->face == parent && c->vertex == m_surface.source(h) ? c->loop : -1;
-      }
-    };
-    for (const Corner& c : corners) { relabel(c.face, c.face); }
-    for (std::size_t i = 0; i < done.parent.size(); ++i) { relabel(done.first_new_face + static_cast<Index>(i), done.parent[i]); }
+    const std::vector<Index> path = refine(curve, true);
     for (Index v : path) { m_is_used[v] = 1; }
     if (m_bifurcations)
       for (std::size_t i = 1; i + 1 < path.size(); ++i)
@@ -148,16 +118,39 @@ private:
     const Index g = h >= 0 ? h : m_surface.find_halfedge(sleeve.end, sleeve.start);
     return m_loop[(h >= 0) == start ? g : m_surface.next(g)];
   }
-  Index split(Index h)
+  // Inserts a curve and keeps the labels of the corners that this moves to other faces. Returns its vertices.
+  std::vector<Index> refine(const Surface_curve& curve, bool mark_seam)
   {
-    std::vector<std::pair<Index, Index>> ends{{m_surface.source(h), m_loop[h]}, {m_surface.target(h), m_loop[m_surface.next(h)]}};
-    const Insertion done = insert_curves(m_root, m_surface, {Surface_curve{{Curve_point::on_edge(h, 0.5)}, false}}, false);
+    struct Corner { Index face, vertex, loop; };
+    std::vector<Corner> corners;
+    const auto remember = [&](Index f) {
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) { corners.push_back({f, m_surface.source(h), m_loop[h]}); }
+    };
+    for (const Curve_point& p : curve.points)
+      if (!p.is_vertex())
+      {
+        remember(m_surface.face(p.halfedge));
+        remember(m_surface.face(m_surface.opposite[p.halfedge]));
+      }
+    const auto order = [](const Corner& x, const Corner& y) { return std::tie(x.face, x.vertex) < std::tie(y.face, y.vertex); };
+    std::sort(corners.begin(), corners.end(), order);
+
+    const Insertion done = insert_curves(m_root, m_surface, {curve}, mark_seam);
     m_loop.resize(m_surface.number_of_halfedges(), -1);
+    m_was_changed.resize(m_surface.number_of_faces(), 0);
     m_is_used.resize(m_surface.number_of_vertices(), 0);
     parents.insert(parents.end(), done.parent.begin(), done.parent.end());
-    m_loop.assign(m_loop.size(), -1); // only the two points are labelled here
-    for (const auto& [v, loop] : ends) { m_surface.for_each_outgoing(v, [&, l = loop](Index k) { m_loop[k] = l; }); }
-    return done.vertices.front().front();
+    const auto relabel = [&](Index f, Index parent) {
+      m_was_changed[f] = 1;
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const auto c = std::lower_bound(corners.begin(), corners.end(), Corner{parent, m_surface.source(h), -1}, order);
+        m_loop[h] = c != corners.end() && c->face == parent && c->vertex == m_surface.source(h) ? c->loop : -1;
+      }
+    };
+    for (const Corner& c : corners) { relabel(c.face, c.face); }
+    for (std::size_t i = 0; i < done.parent.size(); ++i) { relabel(done.first_new_face + static_cast<Index>(i), done.parent[i]); }
+    return done.vertices.front();
   }
 
   const Triangle_surface& m_root;

@@ -47,12 +47,27 @@ inline void check_indices_and_points(const Polygon_soup& soup)
   if (!bad.empty())
     throw Invalid_input_error(list_elements("faces name a vertex that the file does not have", bad)
                               + "; the file is damaged: export it again");
+  const auto is_usable = [](double x) { return std::abs(x) <= 1e300; };
   for (std::size_t v = 0; v < soup.points.size(); ++v)
-    if (seen[v] && !(std::isfinite(soup.points[v][0]) && std::isfinite(soup.points[v][1]) && std::isfinite(soup.points[v][2])))
+    if (seen[v] && !(is_usable(soup.points[v][0]) && is_usable(soup.points[v][1]) && is_usable(soup.points[v][2])))
       not_finite.push_back(static_cast<Index>(v));
   if (!not_finite.empty())
-    throw Invalid_input_error(list_elements("vertices of faces have a coordinate that is not a finite number", not_finite)
+    throw Invalid_input_error(list_elements("vertices of faces have a coordinate that is not a finite number, or beyond 1e300", not_finite)
                               + "; give them positions, or remove their faces");
+}
+
+// Divides extreme coordinates by a power of two, exactly but for those that vanish beside the largest; returns it.
+inline double bring_to_scale(std::vector<Point>& points)
+{
+  double largest = 0;
+  for (const Point& p : points)
+    for (double x : p) { largest = std::max(largest, std::abs(x)); }
+  if (!(largest > 0) || (largest < 1e50 && largest > 1e-50)) { return 1; }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (Point& p : points)
+    for (double& x : p) { x = std::ldexp(x, -exponent); }
+  return std::ldexp(1., exponent);
 }
 
 inline Soup_topology gather_triangles(const Polygon_soup& soup, std::vector<std::string>& repairs)

@@ -53,7 +53,8 @@ inline void triangulate_part(const std::vector<Point>& points, const Rim& rim, T
         if (best[i * n + m] < 0 || best[m * n + j] < 0) { continue; }
         const double s = std::min({shape(points[rim[i].vertex], points[rim[m].vertex], points[rim[j].vertex]),
                                    best[i * n + m], best[m * n + j]});
-        if (s > value) { value = s; choice[i * n + j] = m; }
+        const double quality = s > 0 ? s : 0; // also where a length overflowed
+        if (quality > value) { value = quality; choice[i * n + j] = m; }
       }
     }
   if (best[n - 1] < 0) { throw Internal_error("split_face: a part of a face has no triangulation"); }

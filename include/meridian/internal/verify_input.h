@@ -6,6 +6,9 @@
 #include <meridian/Verification.h>
 #include <meridian/internal/verify_counts.h>
 
+#include <array>
+#include <set>
+
 namespace meridian {
 namespace verification {
 
@@ -43,7 +46,12 @@ public:
     std::vector<std::vector<Id>> crowded;
     for_each_edge(3 * n, static_cast<Id>(input.points.size()), [&](Id s) { return ends(s); }, [&](auto i, auto j) {
       if (j - i == 2) { glue(*i, *(i + 1), fans); }
-      else if (j - i > 2) { crowded.emplace_back(i, j); }
+      else if (j - i > 2)
+      {
+        crowded.emplace_back(i, j);
+        const auto [a, b] = ends(*i);
+        crowded_edges.insert({std::min(a, b), std::max(a, b)});
+      }
     });
     for (const auto& sides : crowded)
     {
@@ -89,6 +97,7 @@ public:
   std::vector<Id> first_triangle; // of each polygon
   std::vector<Id> twin;           // of each side of a triangle
   std::vector<Id> component;      // of each triangle
+  std::set<std::array<Id, 2>> crowded_edges; // with three or more faces
   std::vector<Id> damaged;        // polygons that name a vertex that is not there
   std::vector<Component_count> counts;
 
