@@ -43,7 +43,9 @@ int run_info(const Info_arguments& arguments);
 int run_cut(const Cut_arguments& arguments);
 int run_verify(const Verify_arguments& arguments);
 
-// Set by an interrupting signal; the run then ends at its next step.
+// From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and takes
+// what it has written with it. Until then signals end the program at once, so that a read that blocks can be ended.
+void heed_interrupts();
 bool is_interrupted();
 
 } // namespace program

@@ -141,6 +141,7 @@ int run_cut(const Cut_arguments& arguments)
   auto begin = now();
   const Polygon_soup soup = files::read_mesh(arguments.mesh);
   const double seconds_reading = since(begin);
+  heed_interrupts();
 
   begin = now();
   const Examination examination = examine_surface(soup, arguments.repair);

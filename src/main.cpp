@@ -32,6 +32,12 @@ const char* const repair_help = "split edges with three or more faces instead of
 namespace meridian {
 namespace program {
 
+void heed_interrupts()
+{
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+}
+
 bool is_interrupted() { return interrupted != 0; }
 
 } // namespace program
@@ -102,8 +108,6 @@ int main(int argc, char** argv)
     if (*info_command) { return run_info(info); }
     if (*cut_command)
     {
-      std::signal(SIGINT, interrupt); // the run ends at its next step, and takes what it has written with it
-      std::signal(SIGTERM, interrupt);
       cut.has_source = source->count() > 0;
       cut.has_direction = direction->count() > 0;
       return run_cut(cut);
