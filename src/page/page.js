@@ -47,7 +47,7 @@
   const paints = [curves(data.meridians, 0xd3202a), curves(data.links, 0x1535b8)].filter(function (p) { return p; });
 
   const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
-  camera.position.set(1.4, 1.0, 2.5);
+  camera.position.set(1.5, 1.1, 2.8);
   const light = new THREE.DirectionalLight(0xffffff, 0.55);
   camera.add(light);
   scene.add(camera);
