@@ -26,21 +26,34 @@ struct Common_arguments
 
 struct Info_arguments : Common_arguments { std::vector<std::string> meshes; };
 
-struct Cut_arguments : Common_arguments
+// What the commands share that make something of a field.
+struct Field_arguments : Common_arguments
 {
   std::string mesh, out, view, curves;
   std::vector<Index> minima, maxima; // vertices of the file
-  Index source = 0;
-  bool has_source = false, has_direction = false;
-  std::string weights = "positive", prefer = "gaussian-curvature", links = "surface";
+  bool has_direction = false;
+  std::string weights = "positive", prefer = "gaussian-curvature";
   std::vector<double> direction{0, 0, 1};
+};
+
+struct Cut_arguments : Field_arguments
+{
+  Index source = 0;
+  bool has_source = false;
+  std::string links = "surface";
   bool bifurcations = false;
+};
+
+struct Generator_arguments : Field_arguments
+{
+  bool no_tighten = false;
 };
 
 struct Verify_arguments : Common_arguments { std::string mesh, result; };
 
 int run_info(const Info_arguments& arguments);
 int run_cut(const Cut_arguments& arguments);
+int run_generators(const Generator_arguments& arguments);
 int run_verify(const Verify_arguments& arguments);
 
 // From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and takes

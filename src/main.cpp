@@ -63,6 +63,19 @@ int main(int argc, char** argv)
   info_command->add_flag("--repair", info.repair, repair_help);
   add_common(*info_command, info);
 
+  const std::string field = "The field", meridians = "The meridians", links = "The links";
+  const auto add_field = [&](CLI::App& command, Field_arguments& a) {
+    command.add_option("--weights", a.weights, "discretization of the Laplacian: positive, mean-value or cotangent")
+      ->check(CLI::IsMember({"positive", "mean-value", "cotangent"}))->capture_default_str()->group(field);
+    command.add_option("--minimum", a.minima, "vertices of MESH (from 0) where the field is lowest; otherwise two vertices far apart are taken")
+      ->type_name("V...")->group(field);
+    command.add_option("--maximum", a.maxima, "vertices of MESH where the field is highest")->type_name("V...")->group(field);
+    command.add_option("--prefer", a.prefer, "which handles' loops are cut first: gaussian-curvature or mean-curvature of the saddle, length, or position")
+      ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position"}))->capture_default_str()->group(meridians);
+    return command.add_option("--direction", a.direction, "with --prefer position: loops far out in this direction first")
+      ->expected(3)->type_name("X Y Z")->group(meridians);
+  };
+
   Cut_arguments cut;
   CLI::App* cut_command = app.add_subcommand("cut", "open a mesh into a disc, one for each component, along a cut graph");
   cut_command->add_option("MESH", cut.mesh, "the mesh file")->required();
@@ -71,25 +84,28 @@ int main(int argc, char** argv)
   cut_command->add_option("--curves", cut.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
   add_common(*cut_command, cut);
   cut_command->add_flag("--repair", cut.repair, repair_help);
-  const std::string field = "The field", meridians = "The meridians", links = "The links";
-  cut_command->add_option("--weights", cut.weights, "discretization of the Laplacian: positive, mean-value or cotangent")
-    ->check(CLI::IsMember({"positive", "mean-value", "cotangent"}))->capture_default_str()->group(field);
-  cut_command->add_option("--minimum", cut.minima, "vertices of MESH (from 0) where the field is lowest; otherwise two vertices far apart are taken")
-    ->type_name("V...")->group(field);
-  cut_command->add_option("--maximum", cut.maxima, "vertices of MESH where the field is highest")->type_name("V...")->group(field);
-  cut_command->add_option("--prefer", cut.prefer, "which handles' loops are cut first: gaussian-curvature or mean-curvature of the saddle, length, or position")
-    ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position"}))->capture_default_str()->group(meridians);
-  CLI::Option* direction = cut_command->add_option("--direction", cut.direction, "with --prefer position: loops far out in this direction first")
-    ->expected(3)->type_name("X Y Z")->group(meridians);
+  CLI::Option* cut_direction = add_field(*cut_command, cut);
   cut_command->add_option("--links", cut.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
     ->check(CLI::IsMember({"surface", "plane"}))->capture_default_str()->group(links);
   cut_command->add_flag("--bifurcations", cut.bifurcations, "let links end on other links, which makes the cut shorter")->group(links);
   CLI::Option* source = cut_command->add_option("--source", cut.source, "a vertex of MESH that the links shall pass through")->type_name("V")->group(links);
 
+  Generator_arguments generators;
+  CLI::App* generators_command = app.add_subcommand("generators", "find a meridian and a longitude around every handle");
+  generators_command->add_option("MESH", generators.mesh, "the mesh file")->required();
+  generators_command->add_option("-o,--output", generators.out, "the refined mesh, with the curves as line elements; its map back to MESH is written beside it")
+    ->required()->type_name("OUT.obj");
+  generators_command->add_option("--view", generators.view, "write a page that shows the curves in a browser")->type_name("FILE");
+  generators_command->add_option("--curves", generators.curves, "write the curves alone as OBJ lines")->type_name("FILE");
+  add_common(*generators_command, generators);
+  generators_command->add_flag("--repair", generators.repair, repair_help);
+  CLI::Option* generators_direction = add_field(*generators_command, generators);
+  generators_command->add_flag("--no-tighten", generators.no_tighten, "leave the curves as they were found");
+
   Verify_arguments verify;
-  CLI::App* verify_command = app.add_subcommand("verify", "recount a result of `cut` from its files alone");
-  verify_command->add_option("MESH", verify.mesh, "the mesh that was cut")->required();
-  verify_command->add_option("RESULT", verify.result, "the opened mesh; its .map.json is expected beside it")->required();
+  CLI::App* verify_command = app.add_subcommand("verify", "recount a result of `cut` or `generators` from its files alone");
+  verify_command->add_option("MESH", verify.mesh, "the mesh that the result was made from")->required();
+  verify_command->add_option("RESULT", verify.result, "the result; its .map.json is expected beside it")->required();
   add_common(*verify_command, verify);
 
   try { app.parse(argc, argv); }
@@ -109,8 +125,13 @@ int main(int argc, char** argv)
     if (*cut_command)
     {
       cut.has_source = source->count() > 0;
-      cut.has_direction = direction->count() > 0;
+      cut.has_direction = cut_direction->count() > 0;
       return run_cut(cut);
+    }
+    if (*generators_command)
+    {
+      generators.has_direction = generators_direction->count() > 0;
+      return run_generators(generators);
     }
     return run_verify(verify);
   }

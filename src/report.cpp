@@ -52,14 +52,29 @@ Json report_counts(const Component_count& c)
           {"euler_characteristic", c.euler_characteristic}, {"genus", c.genus}, {"boundary_loops", c.boundary_loops}};
 }
 
+namespace {
+
+Json report_field(const Field_summary& f, const Field_options& options)
+{
+  return {{"kind", f.field.empty() ? "none" : "harmonic"}, {"weights", name_of(options.weights)}, {"mode", "closed"},
+          {"minima", f.counts.minima}, {"maxima", f.counts.maxima}, {"saddles", f.counts.saddles},
+          {"counted_on", "closed model"}, {"order_sweeps", f.order_rounds}, {"order_numbered", f.order_numbered},
+          {"flat_regions", f.flat_regions}};
+}
+
+Json report_seconds(const Stage_times& times)
+{
+  Json seconds = Json::object();
+  for (const auto& [stage, s] : times) { seconds[name_of(stage)] = s; }
+  return seconds;
+}
+
+} // namespace
+
 Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count, const Cut_options& options)
 {
   Json r = report_counts(component);
-  const bool has_field = !cut.field.empty();
-  r["field"] = {{"kind", has_field ? "harmonic" : "none"}, {"weights", name_of(options.weights)}, {"mode", "closed"},
-                {"minima", cut.counts.minima}, {"maxima", cut.counts.maxima}, {"saddles", cut.counts.saddles},
-                {"counted_on", "closed model"}, {"order_sweeps", cut.order_rounds}, {"order_numbered", cut.order_numbered},
-                {"flat_regions", cut.flat_regions}};
+  r["field"] = report_field(cut, options);
   Json meridians = Json::array(), links = Json::array();
   for (std::size_t i = 0; i < cut.meridians.size(); ++i)
     meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)}, {"saddle", component.vertex_of[cut.saddles[i]]},
@@ -71,9 +86,66 @@ Json report_cut(const Disc_cut& cut, const Surface_component& component, const C
               {"new_vertices", cut.surface.origins.size()}, {"smallest_angle_before", degrees(cut.smallest_angle_before)},
               {"smallest_angle_after", degrees(cut.smallest_angle_after)}};
   if (!cut.link_note.empty()) { r["cut"]["link_note"] = cut.link_note; }
-  Json seconds = Json::object();
-  for (const auto& [stage, s] : cut.seconds) { seconds[name_of(stage)] = s; }
-  r["seconds"] = seconds;
+  r["seconds"] = report_seconds(cut.seconds);
+  return r;
+}
+
+Json report_intersections(const Curve_count& count)
+{
+  if (count.is_symplectic) { return "symplectic"; }
+  Json rows = Json::array();
+  for (int i = 0; i < 2 * count.pairs; ++i)
+  {
+    Json row = Json::array();
+    for (int j = 0; j < 2 * count.pairs; ++j)
+    {
+      const auto entry = count.intersections.find({i, j});
+      row.push_back(entry == count.intersections.end() ? 0 : entry->second);
+    }
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Json report_generators(const Generators& g, const Surface_component& component, const Curve_count& count, const Generator_options& options, int first_handle)
+{
+  Json r = report_counts(component);
+  r["field"] = report_field(g, options);
+  const auto curve = [&](const Generator_curve& c) {
+    return Json{{"length", component.unit * c.length}, {"length_found", component.unit * c.length_found},
+                {"saddle", c.saddle < 0 ? Json() : Json(component.vertex_of[c.saddle])}, {"method", name_of(c.method)},
+                {"class", name_of(c.loop_class)}, {"edges", c.vertices.size()}};
+  };
+  Json pairs = Json::array();
+  for (const Generator_pair& pair : g.pairs)
+  {
+    Point low = g.surface.points[pair.meridian.vertices.front()], high = low, sum{0, 0, 0};
+    double weight = 0;
+    for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
+      for (std::size_t i = 0; i < c->vertices.size(); ++i)
+      {
+        const Point &p = g.surface.points[c->vertices[i]], &q = g.surface.points[c->vertices[(i + 1) % c->vertices.size()]];
+        for (int k = 0; k < 3; ++k)
+        {
+          low[k] = std::min(low[k], p[k]);
+          high[k] = std::max(high[k], p[k]);
+        }
+        const double l = distance(p, q);
+        sum = sum + (l / 2) * (p + q);
+        weight += l;
+      }
+    const auto in_file = [&](const Point& p) { return Json{component.unit * p[0], component.unit * p[1], component.unit * p[2]}; };
+    pairs.push_back({{"handle", first_handle++}, {"meridian", curve(pair.meridian)}, {"longitude", curve(pair.longitude)},
+                     {"class", name_of(pair.meridian.loop_class)},
+                     {"bounding_box", {in_file(low), in_file(high)}}, {"centre", in_file(weight > 0 ? (1 / weight) * sum : low)}});
+  }
+  r["generators"] = pairs;
+  r["intersection_matrix"] = report_intersections(count);
+  r["is_basis"] = count.is_basis;
+  r["new_vertices"] = g.surface.origins.size();
+  r["smallest_angle_before"] = degrees(g.smallest_angle_before);
+  r["smallest_angle_after"] = degrees(g.smallest_angle_after);
+  r["seconds"] = report_seconds(g.seconds);
   return r;
 }
 

@@ -3,8 +3,10 @@
 #define MERIDIAN_REPORT_H
 
 #include <meridian/cut_to_disc.h>
+#include <meridian/find_generators.h>
 #include <meridian/examine_surface.h>
 #include <meridian/verify_cut.h>
+#include <meridian/verify_generators.h>
 
 #include <nlohmann/json.hpp>
 
@@ -18,6 +20,10 @@ Json report_input(const std::string& file, const Polygon_soup& soup, const Exami
 Json report_counts(const Surface_component& component);
 Json report_counts(const Component_count& count);
 Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count, const Cut_options& options);
+// `first_handle`: the number of its first pair.
+Json report_generators(const Generators& generators, const Surface_component& component, const Curve_count& count, const Generator_options& options, int first_handle);
+// "symplectic", or the rows.
+Json report_intersections(const Curve_count& count);
 std::string format_report(const Json& report);
 
 } // namespace program

@@ -20,15 +20,24 @@ int run_verify(const Verify_arguments& arguments)
       throw files::File_error(arguments.result + ": face " + std::to_string(i) + " has " + std::to_string(opened.size(i)) + " corners; results have triangles only");
     result.faces.push_back({opened.corner(i, 0), opened.corner(i, 1), opened.corner(i, 2)});
   }
-  files::read_map(files::map_path(arguments.result), result);
-  const Verification v = verify_cut(input, result);
+  const files::Result_kind kind = files::read_map(files::map_path(arguments.result), result);
+  Generator_verification v;
+  if (kind == files::Result_kind::GENERATORS) { v = verify_generators(input, result, files::read_curves(arguments.result)); }
+  else { static_cast<Verification&>(v) = verify_cut(input, result); }
 
   Json components = Json::array();
   std::int64_t genus = 0, loops = 0, discs = 0;
-  for (const Component_count& c : v.components)
+  for (std::size_t i = 0; i < v.components.size(); ++i)
   {
+    const Component_count& c = v.components[i];
     Json r = report_counts(c);
-    r["cut"] = {{"connected", c.discs == 1}, {"euler_characteristic", c.disc_euler_characteristic}, {"boundary_loops", c.disc_boundary_loops}};
+    if (kind == files::Result_kind::CUT)
+      r["cut"] = {{"connected", c.discs == 1}, {"euler_characteristic", c.disc_euler_characteristic}, {"boundary_loops", c.disc_boundary_loops}};
+    else if (i < v.curves.size())
+    {
+      r["intersection_matrix"] = report_intersections(v.curves[i]);
+      r["is_basis"] = v.curves[i].is_basis;
+    }
     components.push_back(r);
     genus += c.genus;
     loops += c.boundary_loops;
@@ -45,8 +54,13 @@ int run_verify(const Verify_arguments& arguments)
   if (!arguments.quiet)
   {
     std::cout << (v ? "verified: " : "NOT verified: ") << v.components.size() << (v.components.size() == 1 ? " component" : " components") << " (genus "
-              << genus << ", boundary loops " << loops << ") became " << discs << (discs == 1 ? " piece" : " pieces");
-    if (v) { std::cout << ", each a disc; glued along " << result.seams.size() << " seam edges they are the input again"; }
+              << genus << ", boundary loops " << loops << ")";
+    if (kind == files::Result_kind::CUT)
+    {
+      std::cout << " became " << discs << (discs == 1 ? " piece" : " pieces");
+      if (v) { std::cout << ", each a disc; glued along " << result.seams.size() << " seam edges they are the input again"; }
+    }
+    else if (v) { std::cout << ", with a basis of first homology on each"; }
     std::cout << '\n';
   }
   return v ? VERIFIED : NOT_VERIFIED;

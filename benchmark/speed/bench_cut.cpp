@@ -65,7 +65,7 @@ struct Stages
     loops = trace_saddle_loops(ordered);
     for (const Contour& c : loops)
     {
-      const Index v = internal::root_vertex(root, ordered.surface, c.saddle);
+      const Index v = root_vertex(root, ordered.surface, c.saddle);
       candidates.push_back({v, root.points[v], curvature(root, v), length(ordered, c), c.is_longer});
     }
     curves = project();

@@ -4,13 +4,16 @@
 
 #include <meridian/exceptions.h>
 
+#include <chrono>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianProgress
-/// the stages of a cut, in the order they run.
-enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, LINKS, OPEN, VERIFY };
+/// the stages of a cut or of a search for generators, in the order they run.
+enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, OPEN, VERIFY };
 
 /// \ingroup PkgMeridianProgress
 /// \returns the name of a stage as it stands in reports
@@ -23,6 +26,10 @@ inline const char* name_of(Stage stage)
   case Stage::ORDER: return "order";
   case Stage::CONTOURS: return "contours";
   case Stage::MERIDIANS: return "meridians";
+  case Stage::LONGITUDES: return "longitudes";
+  case Stage::TIGHTEN: return "tighten";
+  case Stage::INSERT: return "insert";
+  case Stage::CLASSIFY: return "classify";
   case Stage::LINKS: return "links";
   case Stage::OPEN: return "open";
   case Stage::VERIFY: return "verify";
@@ -43,6 +50,10 @@ public:
   virtual bool go_further() { return true; }
 };
 
+/// \ingroup PkgMeridianProgress
+/// how long each stage took, in seconds.
+using Stage_times = std::vector<std::pair<Stage, double>>;
+
 namespace internal {
 
 // Reports one stage to an observer that may be absent.
@@ -60,6 +71,29 @@ public:
 private:
   Progress_observer* m_observer;
   Stage m_stage;
+};
+
+// Runs stages, with a clock.
+struct Stage_runner
+{
+  Progress_observer* observer;
+  Stage_times& seconds;
+
+  template <class Work> void operator()(Stage stage, const Work& work) const
+  {
+    const Stage_scope scope(observer, stage);
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    seconds.emplace_back(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    scope.finish();
+  }
+  // Tells how much of a stage is done, and ends the run if the observer wants that.
+  void progress(Stage stage, double done) const
+  {
+    if (!observer) { return; }
+    observer->stage_progressed(stage, done);
+    if (!observer->go_further()) { throw Cancelled(std::string("cancelled during stage '") + name_of(stage) + "'"); }
+  }
 };
 
 } // namespace internal

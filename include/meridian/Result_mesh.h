@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace meridian {
@@ -34,6 +35,10 @@ struct Result_mesh
   std::vector<std::int32_t> component_of;         ///< for each face
   std::vector<std::array<std::int32_t, 2>> seams; ///< pairs of sides that were one edge; side `3*f + k` leaves corner `k` of face `f`
 };
+
+/// \ingroup PkgMeridianResults
+/// a named curve of a result: vertices in order, the first repeated at the end if it is closed.
+struct Result_curve { std::string name; std::vector<std::int32_t> points; };
 
 /// \ingroup PkgMeridianResults
 /// \returns the position of an origin, by the one formula

@@ -13,9 +13,10 @@ struct Curve_point
   Index vertex = -1;   ///< the vertex, or -1 for a point inside an edge
   Index halfedge = -1; ///< the halfedge by which the curve leaves a face
   double t = 0;        ///< where on the halfedge, from its source (0) to its target (1)
+  Index node = -1;     ///< points of an edge with the same number from 0 on are one point, where curves meet
 
-  static Curve_point on_vertex(Index v) { return {v, -1, 0}; }
-  static Curve_point on_edge(Index h, double t) { return {-1, h, t}; }
+  static Curve_point on_vertex(Index v) { return {v, -1, 0, -1}; }
+  static Curve_point on_edge(Index h, double t) { return {-1, h, t, -1}; }
   bool is_vertex() const { return vertex >= 0; }
 };
 

@@ -2,7 +2,10 @@
 #ifndef MERIDIAN_VERIFICATION_H
 #define MERIDIAN_VERIFICATION_H
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -26,6 +29,22 @@ struct Verification
   std::vector<std::string> failures; ///< each names a defect, counts it and gives the first elements
   explicit operator bool() const { return failures.empty(); }
 };
+
+/// \ingroup PkgMeridianVerification
+/// what was counted about curves on one component.
+struct Curve_count
+{
+  int pairs = 0, boundary_loops = 0;
+  /// the intersection matrix of the curves in the order meridian, longitude, meridian, ...: its entries that are not zero
+  std::map<std::pair<int, int>, int> intersections;
+  bool is_symplectic = false;  ///< whether it is the standard symplectic matrix
+  /// whether the curves, with all boundary loops but one, are a basis of the first homology over the integers
+  bool is_basis = false;
+};
+
+/// \ingroup PkgMeridianVerification
+/// what was found about generators.
+struct Generator_verification : Verification { std::vector<Curve_count> curves; /**< one a component */ };
 
 } // namespace meridian
 

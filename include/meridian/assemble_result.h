@@ -5,7 +5,9 @@
 #include <meridian/Result_mesh.h>
 #include <meridian/cut_to_disc.h>
 #include <meridian/examine_surface.h>
+#include <meridian/find_generators.h>
 #include <meridian/verify_cut.h>
+#include <meridian/verify_generators.h>
 
 namespace meridian {
 
@@ -49,27 +51,18 @@ inline Result_origin file_origin(const Origin& o, const Surface_component& c, In
 
 } // namespace internal
 
-/*!
- * \ingroup PkgMeridianResults
- *
- * puts the discs of all components back into one mesh in the order of the input.
- *
- * \param soup the input
- * \param examination what `examine_surface()` made of it
- * \param cuts the cut of each component
- *
- * \returns the opened mesh. The parts of a face stand where the face stood.
- * \par Complexity
- * Linear.
- */
-inline Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination,
-                                        const std::vector<Disc_cut>& cuts)
+namespace internal {
+
+// A refined component, and how it was taken apart.
+struct Result_part { const Refined_surface& surface; const Opened_surface& opened; };
+
+inline Assembled_result assemble_parts(const Polygon_soup& soup, const Examination& examination, const std::vector<Result_part>& cuts)
 {
   Assembled_result result;
   Result_mesh& r = result.mesh;
   const Index n = static_cast<Index>(soup.points.size());
   Index new_vertices = 0, new_faces = 0, triangles = 0;
-  for (const Disc_cut& cut : cuts)
+  for (const Result_part& cut : cuts)
   {
     new_vertices += static_cast<Index>(cut.surface.origins.size());
     new_faces += cut.surface.number_of_faces();
@@ -143,18 +136,16 @@ inline Assembled_result assemble_result(const Polygon_soup& soup, const Examinat
   return result;
 }
 
-/*!
- * \ingroup PkgMeridianResults
- *
- * \returns the recount of a cut that was made without a file: the surface and the disc as plain arrays, given to `verify_cut()`
- * \param root the surface that was cut
- * \param cut its cut
- */
-inline Verification verify_cut(const Triangle_surface& root, const Disc_cut& cut)
+// One surface as a file that holds nothing else.
+inline Polygon_soup soup_of(const Triangle_surface& root)
 {
   Polygon_soup soup;
   soup.points = root.points;
   for (const auto& t : root.triangles) { soup.add_polygon(t.data(), 3); }
+  return soup;
+}
+inline Examination examination_of(const Triangle_surface& root)
+{
   Examination examination;
   examination.components.resize(1);
   Surface_component& c = examination.components.front();
@@ -164,7 +155,117 @@ inline Verification verify_cut(const Triangle_surface& root, const Disc_cut& cut
   std::iota(c.triangle_of.begin(), c.triangle_of.end(), Index(0));
   c.polygon_of = c.triangle_of;
   c.is_flipped.assign(root.number_of_faces(), 0);
-  return verify_cut(soup, assemble_result(soup, examination, {cut}).mesh);
+  return examination;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgMeridianResults
+ *
+ * puts the discs of all components back into one mesh in the order of the input.
+ *
+ * \param soup the input
+ * \param examination what `examine_surface()` made of it
+ * \param cuts the cut of each component
+ *
+ * \returns the opened mesh. The parts of a face stand where the face stood.
+ * \par Complexity
+ * Linear.
+ */
+inline Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination, const std::vector<Disc_cut>& cuts)
+{
+  std::vector<internal::Result_part> parts;
+  for (const Disc_cut& cut : cuts) { parts.push_back({cut.surface, cut.opened}); }
+  return internal::assemble_parts(soup, examination, parts);
+}
+
+/*!
+ * \ingroup PkgMeridianResults
+ *
+ * puts the refined components back into one mesh in the order of the input, with nothing taken apart.
+ *
+ * \param soup the input
+ * \param examination what `examine_surface()` made of it
+ * \param generators those of each component
+ *
+ * \returns the refined mesh. The parts of a face stand where the face stood.
+ * \par Complexity
+ * Linear.
+ */
+inline Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination, const std::vector<Generators>& generators)
+{
+  std::vector<Opened_surface> whole(generators.size());
+  std::vector<internal::Result_part> parts;
+  for (std::size_t i = 0; i < generators.size(); ++i)
+  {
+    whole[i].triangles = generators[i].surface.triangles;
+    parts.push_back({generators[i].surface, whole[i]});
+  }
+  return internal::assemble_parts(soup, examination, parts);
+}
+
+/*!
+ * \ingroup PkgMeridianResults
+ *
+ * \returns the curves of all components as they are written: the pairs, numbered through, then all boundary loops
+ * \param generators those of each component
+ * \param assembled their mesh
+ */
+inline std::vector<Result_curve> name_curves(const std::vector<Generators>& generators, const Assembled_result& assembled)
+{
+  std::vector<Result_curve> curves, boundaries;
+  const auto make = [&](const std::string& name, const std::vector<Index>& path, std::size_t component) {
+    Result_curve c{name, {}};
+    for (Index v : path) { c.points.push_back(assembled.place[component][v]); }
+    c.points.push_back(c.points.front());
+    return c;
+  };
+  std::size_t handle = 0;
+  for (std::size_t i = 0; i < generators.size(); ++i)
+  {
+    for (const Generator_pair& pair : generators[i].pairs)
+    {
+      curves.push_back(make("meridian_" + std::to_string(handle), pair.meridian.vertices, i));
+      curves.push_back(make("longitude_" + std::to_string(handle++), pair.longitude.vertices, i));
+    }
+    for (const auto& loop : boundary_loops(generators[i].surface))
+    {
+      std::vector<Index> path;
+      for (Index h : loop) { path.push_back(generators[i].surface.source(h)); }
+      boundaries.push_back(make("boundary_" + std::to_string(boundaries.size()), path, i));
+    }
+  }
+  curves.insert(curves.end(), boundaries.begin(), boundaries.end());
+  return curves;
+}
+
+/*!
+ * \ingroup PkgMeridianResults
+ *
+ * \returns the recount of a cut that was made without a file: the surface and the disc as plain arrays, given to `verify_cut()`
+ * \param root the surface that was cut
+ * \param cut its cut
+ */
+inline Verification verify_cut(const Triangle_surface& root, const Disc_cut& cut)
+{
+  const Polygon_soup soup = internal::soup_of(root);
+  return verify_cut(soup, assemble_result(soup, internal::examination_of(root), std::vector<Disc_cut>{cut}).mesh);
+}
+
+/*!
+ * \ingroup PkgMeridianResults
+ *
+ * \returns the recount of generators that were made without a file
+ * \param root the surface
+ * \param generators its generators
+ */
+inline Generator_verification verify_generators(const Triangle_surface& root, const Generators& generators)
+{
+  const Polygon_soup soup = internal::soup_of(root);
+  const std::vector<Generators> all{generators};
+  const Assembled_result assembled = assemble_result(soup, internal::examination_of(root), all);
+  return verify_generators(soup, assembled.mesh, name_curves(all, assembled));
 }
 
 } // namespace meridian

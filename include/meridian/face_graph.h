@@ -51,12 +51,12 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
                           Weights weights = Weights::POSITIVE)
 {
   const internal::Vertex_numbers<TriangleMesh> number(tm);
-  Cut_options options;
+  Field_options options;
   options.weights = weights;
   for (auto v : minima) { options.minima.push_back(number[v]); }
   for (auto v : maxima) { options.maxima.push_back(number[v]); }
   if (options.minima.empty() || options.maxima.empty()) { throw Invalid_input_error("a field needs a minimum and a maximum"); }
-  const Ordered_surface m = internal::order_surface<Symmetric_solver_traits, General_solver_traits>(
+  const Ordered_surface m = order_surface<Symmetric_solver_traits, General_solver_traits>(
     make_triangle_surface(tm), options, [](Stage, const auto& work) { work(); });
   for (auto v : vertices(tm)) { put(field, v, m.field(m.graph.node[number[v]])); }
 }

@@ -6,6 +6,8 @@
 #include <meridian/Surface_curve.h>
 #include <meridian/internal/split_face.h>
 
+#include <map>
+
 namespace meridian {
 
 /// \ingroup PkgMeridianSurface
@@ -28,12 +30,12 @@ struct Insertion
  *
  * \param root the surface that `s` refines
  * \param s the surface to refine. A face keeps its index for its first part.
- * \param curves the curves; on one edge, different points have different fractions
+ * \param curves the curves; on one edge, different points have different fractions, and points of one node have the same
  * \param mark_seam whether the curves' edges are flagged
  *
  * \returns the curves' vertices and the new faces' parents. New vertices are numbered along the curves.
  *
- * \pre the curves are simple and disjoint (they may share vertices of the surface as end points)
+ * \pre the curves are simple and disjoint (they may share vertices of the surface, and nodes)
  * \throws Internal_error if two chords of a face cross
  *
  * \par Complexity
@@ -46,6 +48,8 @@ inline Insertion insert_curves(const Triangle_surface& root, Refined_surface& s,
   std::vector<internal::Edge_point> edge_points;
   std::vector<internal::Chord> chords;
 
+  std::map<Index, Index> vertex_of_node;
+
   // Points become vertices, numbered along the curves.
   for (const Surface_curve& curve : curves)
   {
@@ -54,6 +58,11 @@ inline Insertion insert_curves(const Triangle_surface& root, Refined_surface& s,
     {
       if (p.is_vertex()) { path.push_back(p.vertex); continue; }
       const Index v = s.number_of_vertices();
+      if (p.node >= 0)
+      {
+        const auto [known, is_new] = vertex_of_node.try_emplace(p.node, v);
+        if (!is_new) { path.push_back(known->second); continue; }
+      }
       const Index e = s.edge(p.halfedge);
       edge_points.push_back({e, e == p.halfedge ? p.t : 1 - p.t, v});
       const Origin origin = origin_on(root, s, p.halfedge, p.t);

@@ -3,6 +3,7 @@
 #define MERIDIAN_SELECT_MERIDIANS_H
 
 #include <meridian/contours.h>
+#include <meridian/order_surface.h>
 #include <meridian/surface_measures.h>
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -160,6 +161,40 @@ inline std::vector<Meridian_choice> select_meridians(const Ordered_surface& m, c
     result.push_back({i, (2 * components - characteristic - boundaries) / 2, components});
   }
   return result;
+}
+
+/// \ingroup PkgMeridianMeridians
+/// the loops of all saddles, and which of them are meridians.
+struct Meridian_search
+{
+  std::vector<Contour> loops;
+  std::vector<Loop_candidate> candidates; ///< one a loop
+  std::vector<Meridian_choice> choices;   ///< the most preferred first
+
+  std::vector<const Contour*> chosen() const
+  {
+    std::vector<const Contour*> contours;
+    for (const auto& choice : choices) { contours.push_back(&loops[choice.loop]); }
+    return contours;
+  }
+};
+
+/// \ingroup PkgMeridianMeridians
+/// rates the loops of `search` and chooses as many meridians as the genus.
+/// \throws Internal_error if there are not as many
+/// \par Complexity
+/// that of `select_meridians()`
+inline void find_meridians(const Triangle_surface& root, const Ordered_surface& m, int genus, const Preference& preference,
+                           Meridian_search& search)
+{
+  for (const Contour& loop : search.loops)
+  {
+    const Index v = root_vertex(root, m.surface, loop.saddle);
+    search.candidates.push_back({v, root.points[v], curvature(root, v), length(m, loop), loop.is_longer});
+  }
+  search.choices = select_meridians(m, search.loops, rank_by_preference(search.candidates, preference));
+  if (static_cast<int>(search.choices.size()) != genus)
+    throw Internal_error("find_meridians: " + std::to_string(search.choices.size()) + " meridians on a surface of genus " + std::to_string(genus));
 }
 
 } // namespace meridian

@@ -31,7 +31,7 @@ namespace meridian {
  * \f$ O(n \log d) \f$ for the largest degree \f$ d \f$
  */
 inline Verification verify_cut(const Polygon_soup& input, const Result_mesh& result)
-{ return verification::Verifier(input, result).run(); }
+{ return verification::Cut_verifier(input, result).run(); }
 
 } // namespace meridian
 

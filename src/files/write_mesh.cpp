@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write_mesh.h"
 
+#include "Scanner.h"
 #include "read_mesh.h"
 
 #include <nlohmann/json.hpp>
@@ -124,20 +125,61 @@ void check_writable_format(const std::string& path) { formatter(path); }
 
 std::string format_mesh(const std::string& path, const Result_mesh& mesh) { return formatter(path)(mesh); }
 
-std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Named_curve>& curves)
+std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Result_curve>& curves)
 {
   Text out;
   std::map<std::int32_t, std::size_t> place;
-  for (const Named_curve& c : curves)
+  for (const Result_curve& c : curves)
     for (std::int32_t v : c.points)
       if (place.try_emplace(v, place.size() + 1).second) { out << "v " << points[v][0] << ' ' << points[v][1] << ' ' << points[v][2] << '\n'; }
-  for (const Named_curve& c : curves)
+  for (const Result_curve& c : curves)
   {
     out << "g " << c.name << "\nl";
     for (std::int32_t v : c.points) { out << ' ' << place.at(v); }
     out << '\n';
   }
   return out.take();
+}
+
+std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<Result_curve>& curves)
+{
+  Text out;
+  out << format_obj(mesh);
+  for (const Result_curve& c : curves)
+  {
+    out << "g " << c.name << "\nl";
+    for (std::int32_t v : c.points) { out << ' ' << v + 1; }
+    out << '\n';
+  }
+  return out.take();
+}
+
+std::vector<Result_curve> read_curves(const std::string& path)
+{
+  if (format_of(path) != "obj") { throw File_error(path + ": curves are line elements of OBJ files"); }
+  const std::string bytes = read_bytes(path);
+  Scanner in(bytes, path.c_str(), '#');
+  std::vector<Result_curve> curves;
+  std::string group;
+  std::int64_t points = 0;
+  while (!in.at_end())
+  {
+    const std::string_view key = in.word();
+    if (key == "v") { ++points; }
+    if (key == "g" || key == "o") { group = in.word_on_line(); }
+    if (key == "l")
+    {
+      curves.push_back({group, {}});
+      for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
+      {
+        const auto i = in.parse<std::int64_t>(word.substr(0, word.find('/')), "a vertex of a line");
+        const std::int64_t place = i < 0 ? points + i : i - 1; // 0 is no index
+        curves.back().points.push_back(place < 0 || place >= points ? -1 : static_cast<std::int32_t>(place));
+      }
+    }
+    if (!in.at_line_end()) { in.skip_line(); }
+  }
+  return curves;
 }
 
 std::string map_path(const std::string& path)
@@ -149,11 +191,11 @@ std::string map_path(const std::string& path)
   return stem + ".map.json";
 }
 
-std::string format_map(const Result_mesh& m)
+std::string format_map(const Result_mesh& m, Result_kind kind)
 {
   Text out;
   const auto number = [&](auto x) { out << x; };
-  out << "{\n\"copy_of\": ";
+  out << (kind == Result_kind::GENERATORS ? "{\n\"result\": \"generators\",\n\"copy_of\": " : "{\n\"copy_of\": ");
   out.list(m.copy_of, number) << ",\n\"origin\": ";
   out.list(m.origin, [&](const Result_origin& o) {
     out << '[' << o.index[0];
@@ -167,7 +209,7 @@ std::string format_map(const Result_mesh& m)
   return out.take();
 }
 
-void read_map(const std::string& path, Result_mesh& mesh)
+Result_kind read_map(const std::string& path, Result_mesh& mesh)
 {
   try
   {
@@ -203,6 +245,7 @@ void read_map(const std::string& path, Result_mesh& mesh)
       }
       mesh.origin.push_back(o);
     }
+    return json.value("result", "cut") == "generators" ? Result_kind::GENERATORS : Result_kind::CUT;
   }
   catch (const nlohmann::json::exception& e) { throw File_error(path + ": not a map file: " + e.what()); }
 }

@@ -10,9 +10,6 @@
 namespace meridian {
 namespace files {
 
-// A named curve: places of points, the first repeated at the end if it is closed.
-struct Named_curve { std::string name; std::vector<std::int32_t> points; };
-
 // Throws File_error if a mesh cannot be written in the format that the path asks for.
 void check_writable_format(const std::string& path);
 
@@ -21,11 +18,19 @@ void check_writable_format(const std::string& path);
 std::string format_mesh(const std::string& path, const Result_mesh& mesh);
 
 // The points of curves and one line element a curve, as OBJ.
-std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Named_curve>& curves);
+std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Result_curve>& curves);
+
+// A mesh with curves on it, as OBJ: a group and a line element each.
+std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<Result_curve>& curves);
+
+// The line elements of an OBJ file, named by their groups. Throws File_error.
+std::vector<Result_curve> read_curves(const std::string& path);
+
+enum class Result_kind { CUT, GENERATORS };
 
 // The map of a result, as JSON, and back. The second throws File_error.
-std::string format_map(const Result_mesh& mesh);
-void read_map(const std::string& path, Result_mesh& mesh);
+std::string format_map(const Result_mesh& mesh, Result_kind kind);
+Result_kind read_map(const std::string& path, Result_mesh& mesh);
 
 // Where the map of a result stands: the path without its ending, and ".map.json".
 std::string map_path(const std::string& path);

@@ -56,7 +56,8 @@ void replace(std::string& text, const std::string& mark, const std::string& by)
 
 } // namespace
 
-std::string format_page(const std::string& title, const Examination& examination, const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
+std::string format_page(const std::string& title, const std::string& caption, const std::string& others, const std::vector<Part>& parts, const std::vector<Curve>& curves,
+                        const Assembled_result& assembled)
 {
   const auto& points = assembled.mesh.points;
   Point low = points.front(), high = low;
@@ -74,49 +75,48 @@ std::string format_page(const std::string& title, const Examination& examination
     for (int i = 0; i < 3; ++i) { array.push_back(static_cast<float>((points[v][i] - middle[i]) / size)); }
   };
 
-  std::vector<float> positions, field, meridians, links;
+  std::vector<float> positions, field;
+  std::array<std::vector<float>, 2> lines;
   std::vector<std::uint32_t> corners;
-  std::int64_t genus = 0, loops = 0;
-  double length = 0;
-  for (std::size_t c = 0; c < cuts.size(); ++c)
+  for (std::size_t c = 0; c < parts.size(); ++c)
   {
-    const Disc_cut& cut = cuts[c];
-    const auto& place = assembled.place[c];
+    const Part& part = parts[c];
     const auto base = static_cast<std::uint32_t>(positions.size() / 3);
-    genus += examination.components[c].genus();
-    loops += examination.components[c].boundary_loops;
-    length += examination.components[c].unit * cut.length;
-    const Triangle_surface& root = examination.components[c].surface;
-    for (Index v = 0; v < cut.surface.number_of_vertices(); ++v)
+    for (Index v = 0; v < part.surface.number_of_vertices(); ++v)
     {
-      append(positions, place[v]);
+      append(positions, assembled.place[c][v]);
       double value = -1; // no field
-      if (!cut.field.empty())
+      if (!part.field.empty())
       {
-        const Origin o = cut.surface.origin(v);
+        const Origin o = part.surface.origin(v);
         value = 0;
-        if (o.kind == Origin::VERTEX) { value = cut.field[o.index[0]]; }
-        if (o.kind == Origin::EDGE) { value = (1 - o.weight[0]) * cut.field[o.index[0]] + o.weight[0] * cut.field[o.index[1]]; }
-        if (o.kind == Origin::FACE) { for (int k = 0; k < 3; ++k) { value += o.weight[k] * cut.field[root.triangles[o.index[0]][k]]; } }
+        if (o.kind == Origin::VERTEX) { value = part.field[o.index[0]]; }
+        if (o.kind == Origin::EDGE) { value = (1 - o.weight[0]) * part.field[o.index[0]] + o.weight[0] * part.field[o.index[1]]; }
+        if (o.kind == Origin::FACE) { for (int k = 0; k < 3; ++k) { value += o.weight[k] * part.field[part.root.triangles[o.index[0]][k]]; } }
       }
       field.push_back(static_cast<float>(value));
     }
-    for (const auto& t : cut.surface.triangles)
+    for (const auto& t : part.surface.triangles)
       for (Index v : t) { corners.push_back(base + static_cast<std::uint32_t>(v)); }
-    const auto add_path = [&](std::vector<float>& array, const std::vector<Index>& path, bool closed) {
-      for (std::size_t i = 0; i + (closed ? 0 : 1) < path.size(); ++i)
-      {
-        append(array, place[path[i]]);
-        append(array, place[path[(i + 1) % path.size()]]);
-      }
-    };
-    for (const auto& m : cut.meridians) { add_path(meridians, m, true); }
-    for (const auto& l : cut.links) { add_path(links, l, false); }
+  }
+  std::string labels;
+  for (const Curve& curve : curves)
+  {
+    const auto& place = assembled.place[curve.part];
+    const auto& path = curve.path;
+    for (std::size_t i = 0; i + (curve.is_closed ? 0 : 1) < path.size(); ++i)
+    {
+      append(lines[curve.kind], place[path[i]]);
+      append(lines[curve.kind], place[path[(i + 1) % path.size()]]);
+    }
+    if (curve.label.empty()) { continue; }
+    std::vector<float> at;
+    append(at, place[path[path.size() / 2]]);
+    char text[120];
+    std::snprintf(text, sizeof text, "{at: [%.5g, %.5g, %.5g], kind: %d, text: '", at[0], at[1], at[2], static_cast<int>(curve.kind));
+    labels += text + escaped(curve.label) + "'},";
   }
 
-  char caption[160];
-  std::snprintf(caption, sizeof caption, "%zu component%s, genus %lld, %lld boundary loops; cut length %.6g", cuts.size(),
-                cuts.size() == 1 ? "" : "s", static_cast<long long>(genus), static_cast<long long>(loops), length);
   std::string scripts;
   const auto add_script = [&](const char* begin, const char* end) { scripts += "<script>\n" + std::string(begin, end) + "\n</script>\n"; };
   add_script(meridian_three_begin, meridian_three_end);
@@ -125,13 +125,14 @@ std::string format_page(const std::string& title, const Examination& examination
   add_script(meridian_line_material_begin, meridian_line_material_end);
   add_script(meridian_line_segments_begin, meridian_line_segments_end);
   scripts += "<script>\nconst data = {positions: '" + base64(positions) + "', corners: '" + base64(corners) + "', field: '" + base64(field)
-             + "', meridians: '" + base64(meridians) + "', links: '" + base64(links) + "'};\n</script>\n";
+             + "', meridians: '" + base64(lines[Curve::MERIDIAN]) + "', others: '" + base64(lines[Curve::OTHER]) + "', labels: [" + labels + "]};\n</script>\n";
   add_script(meridian_script_begin, meridian_script_end);
 
   std::string text(meridian_page_begin, meridian_page_end);
   replace(text, "@TITLE@", escaped(title));
   replace(text, "@HEADING@", escaped(title.substr(title.find_last_of('/') + 1)));
-  replace(text, "@CAPTION@", caption);
+  replace(text, "@CAPTION@", escaped(caption));
+  replace(text, "@OTHERS@", others);
   replace(text, "@SCRIPTS@", scripts);
   return text;
 }

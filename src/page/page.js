@@ -44,7 +44,7 @@
     scene.add(new THREE.LineSegments2(lines, paint));
     return paint;
   }
-  const paints = [curves(data.meridians, 0xd3202a), curves(data.links, 0x1535b8)].filter(function (p) { return p; });
+  const paints = [curves(data.meridians, 0xd3202a), curves(data.others, 0x1535b8)].filter(function (p) { return p; });
 
   const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
   camera.position.set(1.5, 1.1, 2.8);
@@ -59,7 +59,22 @@
   controls.rotateSpeed = 3;
   controls.dynamicDampingFactor = 0.3;
 
-  function render() { renderer.render(scene, camera); }
+  // Names beside curves.
+  const labels = data.labels.map(function (label) {
+    const element = document.createElement('div');
+    element.className = 'label kind' + label.kind;
+    element.textContent = label.text;
+    document.body.appendChild(element);
+    return { element: element, at: new THREE.Vector3(label.at[0], label.at[1], label.at[2]) };
+  });
+  function render() {
+    renderer.render(scene, camera);
+    labels.forEach(function (label) {
+      const p = label.at.clone().project(camera);
+      label.element.style.left = (p.x + 1) / 2 * window.innerWidth + 'px';
+      label.element.style.top = (1 - p.y) / 2 * window.innerHeight + 'px';
+    });
+  }
   function resize() {
     const w = window.innerWidth, h = window.innerHeight;
     renderer.setSize(w, h);

@@ -21,7 +21,15 @@ struct Crossing
   Index place;       // the order within the piece
   double t;          // fraction along `edge`
   bool from_source;  // whether (piece, place) grows along `edge`
+  Index node = -1;   // crossings with the same number from 0 on stand together on one edge and become one point
 };
+
+// The order of crossings on an edge, edge by edge.
+inline bool is_before(const Crossing& a, const Crossing& b)
+{
+  if (a.edge != b.edge) { return a.edge < b.edge; }
+  return a.from_source ? std::tie(a.piece, a.place) < std::tie(b.piece, b.place) : std::tie(b.piece, b.place) < std::tie(a.piece, a.place);
+}
 
 // Gives every crossing its final fraction and lets curves pass through vertices that they come close to.
 //
@@ -30,7 +38,8 @@ template <class Is_free>
 std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std::vector<std::vector<Crossing>>& curves,
                                            bool closed, const Is_free& is_free)
 {
-  constexpr double margin = 0.05; // no crossing comes closer to an end of its edge or, if there is room, to another
+  constexpr double margin = 0.05; // no crossing comes closer to an end of its edge or, if there is room, to another;
+  constexpr double part = 0.3;    // if not, crossings may take this part of the edge to keep apart
   constexpr double close = 0.2;   // a curve that passes a vertex within this fraction of all edges goes through it
 
   struct Place { std::size_t curve, position; };
@@ -38,13 +47,7 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
   for (std::size_t c = 0; c < curves.size(); ++c)
     for (std::size_t i = 0; i < curves[c].size(); ++i) { places.push_back({c, i}); }
   const auto at = [&](const Place& p) -> const Crossing& { return curves[p.curve][p.position]; };
-  std::sort(places.begin(), places.end(), [&](const Place& p, const Place& q) {
-    const Crossing &a = at(p), &b = at(q);
-    if (a.edge != b.edge) { return a.edge < b.edge; }
-    const bool before = std::tie(a.piece, a.place) < std::tie(b.piece, b.place);
-    const bool behind = std::tie(b.piece, b.place) < std::tie(a.piece, a.place);
-    return a.from_source ? before : behind;
-  });
+  std::sort(places.begin(), places.end(), [&](const Place& p, const Place& q) { return is_before(at(p), at(q)); });
 
   std::vector<std::vector<double>> raw(curves.size()), fraction(curves.size());
   std::vector<std::vector<char>> nearest_source(curves.size()), nearest_target(curves.size());
@@ -58,18 +61,19 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
   for (std::size_t i = 0, j; i < places.size(); i = j)
   {
     for (j = i; j < places.size() && at(places[j]).edge == at(places[i]).edge; ++j) {}
-    const double gap = std::min(margin, 1. / static_cast<double>(j - i + 1));
+    const double gap = std::min(margin, part / static_cast<double>(j - i + 1));
     double least = 0, most = 1;
+    const auto is_one = [&](std::size_t k) { return at(places[k]).node >= 0 && at(places[k]).node == at(places[k - 1]).node; };
     for (std::size_t k = i; k < j; ++k)
     {
       double& t = fraction[places[k].curve][places[k].position];
       raw[places[k].curve][places[k].position] = at(places[k]).t;
-      t = least = std::max(at(places[k]).t, least + gap);
+      t = least = std::max(at(places[k]).t, least + (k > i && is_one(k) ? 0 : gap));
     }
     for (std::size_t k = j; k-- > i;)
     {
       double& t = fraction[places[k].curve][places[k].position];
-      t = most = std::min(t, most - gap);
+      t = most = std::min(t, most - (k + 1 < j && is_one(k + 1) ? 0 : gap));
     }
     nearest_source[places[i].curve][places[i].position] = 1;
     nearest_target[places[j - 1].curve][places[j - 1].position] = 1;
@@ -98,7 +102,7 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
         Run run{0, c, i, 0, v};
         while (run.length < n && (closed || i + run.length < n) && touches(i + run.length, v))
         {
-          run.reach = std::max(run.reach, from(i + run.length, v));
+          run.reach = curve[(i + run.length) % n].node >= 0 ? 2 : std::max(run.reach, from(i + run.length, v));
           ++run.length;
         }
         if (run.length < n && run.reach <= close) { runs.push_back(run); }
@@ -136,7 +140,7 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
       const Crossing& x = curves[c][i];
       if (passes[c][i] >= 0) { result[c].points.push_back(Curve_point::on_vertex(passes[c][i])); }
       else if (passes[c][i] == -1)
-        result[c].points.push_back(Curve_point::on_edge(x.halfedge, x.edge == x.halfedge ? fraction[c][i] : 1 - fraction[c][i]));
+        result[c].points.push_back({-1, x.halfedge, x.edge == x.halfedge ? fraction[c][i] : 1 - fraction[c][i], x.node});
     }
   }
   return result;

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_ORDER_SURFACE_H
+#define MERIDIAN_ORDER_SURFACE_H
+
+#include <meridian/Ordered_surface.h>
+#include <meridian/Progress_observer.h>
+#include <meridian/solve_harmonic_field.h>
+#include <meridian/surface_measures.h>
+
+#include <string>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianOrder
+/// what one may choose about a field. Vertices are those of the surface.
+struct Field_options
+{
+  Weights weights = Weights::POSITIVE;
+  std::vector<Index> minima, maxima; ///< vertices where the field is 0 and 1; both empty: two vertices far apart
+};
+
+/// \ingroup PkgMeridianOrder
+/// what a field was, for whoever made something of it.
+struct Field_summary
+{
+  std::vector<double> field;            ///< at the vertices of the surface; empty where no field was needed
+  std::vector<Critical_point> critical; ///< of the closed model, as vertices of the surface or -1
+  Critical_counts counts;
+  int order_rounds = 0, flat_regions = 0;
+  bool order_numbered = false;
+};
+
+/// \ingroup PkgMeridianOrder
+/// \returns what is worth telling about the field of `m`
+/// \param root the surface that `m.surface` refines
+/// \param m the ordered surface
+inline Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m)
+{
+  Field_summary f;
+  f.critical = m.critical;
+  f.counts = count(m.critical);
+  for (Critical_point& p : f.critical) { if (p.vertex >= root.number_of_vertices()) { p.vertex = -1; } }
+  f.order_rounds = m.order.rounds;
+  f.order_numbered = m.order.numbered;
+  f.flat_regions = static_cast<int>(m.field.regions.size()) - 1;
+  for (Index v = 0; v < root.number_of_vertices(); ++v) { f.field.push_back(m.field(m.graph.node[v])); }
+  return f;
+}
+
+/*!
+ * \ingroup PkgMeridianOrder
+ *
+ * solves a harmonic field, orders the surface by it and makes all saddles simple.
+ *
+ * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
+ *         mean-value weights
+ * \param root the surface
+ * \param options weights and extrema
+ * \param run calls its second argument; the first is the stage. For clocks and observers.
+ *
+ * \returns the ordered surface
+ * \pre `root` is connected
+ * \throws Invalid_input_error if minima and maxima coincide, Solver_error if the field cannot be solved
+ * \par Complexity
+ * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
+ */
+template <class SymmetricTraits, class GeneralTraits, class Run>
+Ordered_surface order_surface(const Triangle_surface& root, const Field_options& options, const Run& run)
+{
+  Ordered_surface m;
+  std::vector<Dirichlet_value> prescribed;
+  std::vector<Index> minima, maxima;
+  run(Stage::EXTREMA, [&] {
+    m.surface = divide_chords(root);
+    m.graph = make_node_graph(m.surface);
+    if (options.minima.empty() && options.maxima.empty())
+    {
+      const auto [a, b] = find_distant_nodes(m.surface, m.graph);
+      minima = {std::min(a, b)};
+      maxima = {std::max(a, b)};
+    }
+    for (Index v : options.minima) { minima.push_back(m.graph.node[v]); }
+    for (Index v : options.maxima) { maxima.push_back(m.graph.node[v]); }
+    for (auto* nodes : {&minima, &maxima})
+    {
+      std::sort(nodes->begin(), nodes->end());
+      nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
+    }
+    for (Index a : maxima)
+      if (std::binary_search(minima.begin(), minima.end(), a))
+        throw Invalid_input_error("a minimum and a maximum of the field lie on "
+                                  + std::string(m.graph.is_loop(a) ? "one boundary loop, which is one place of the field"
+                                                                   : "the same vertex")
+                                  + " (vertex " + std::to_string(m.graph.representative[a]) + "); choose them apart");
+    for (Index a : minima) { prescribed.push_back({a, 0}); }
+    for (Index a : maxima) { prescribed.push_back({a, 1}); }
+  });
+  run(Stage::FIELD, [&] {
+    const auto weights = edge_weights(m.surface, options.weights);
+    m.field = options.weights == Weights::MEAN_VALUE
+                ? solve_harmonic_field<GeneralTraits>(m.surface, m.graph, weights, prescribed)
+                : solve_harmonic_field<SymmetricTraits>(m.surface, m.graph, weights, prescribed);
+  });
+  run(Stage::ORDER, [&] {
+    m.order = order_nodes(m.graph, m.field);
+    simplify_order(m.graph, m.order, minima, maxima);
+    for (Index a : m.graph.node) { m.rank.push_back(m.order.rank[a]); }
+    m.critical = find_critical_points(m.surface, m.rank);
+    unfold_saddles(root, m);
+  });
+  return m;
+}
+
+/// \ingroup PkgMeridianOrder
+/// \returns the root vertex nearest to a vertex of a refined surface
+inline Index root_vertex(const Triangle_surface& root, const Refined_surface& s, Index v)
+{
+  const Origin o = s.origin(v);
+  if (o.kind == Origin::FACE)
+  {
+    const auto w = std::max_element(o.weight.begin(), o.weight.end()) - o.weight.begin();
+    return root.triangles[o.index[0]][w];
+  }
+  return o.kind == Origin::EDGE && o.weight[0] > 0.5 ? o.index[1] : o.index[0];
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_ORDER_SURFACE_H

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FIELD_ARGUMENTS_H
+#define MERIDIAN_FIELD_ARGUMENTS_H
+
+#include "commands.h"
+
+#include <meridian/examine_surface.h>
+
+namespace meridian {
+namespace program {
+
+// Throws Usage_error if two outputs go to one file, or one to the input, or if options do not go together.
+void check_arguments(const Field_arguments& arguments);
+
+// Throws Usage_error if no face of the mesh has a vertex that an option names.
+void check_vertex(const char* option, Index vertex, const Examination& examination);
+void check_vertices(const Field_arguments& arguments, const Examination& examination);
+
+// Those of the vertices of the file that lie on a component, in its numbers.
+std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& component);
+
+// The part of the options for one component that concerns the field and what is preferred. Vertices of the file that the
+// component does not have are left to the others. `place` is its number, for messages.
+void set_field_options(const Field_arguments& arguments, const Surface_component& component, std::size_t place, Field_options& field, Preference& preference);
+
+} // namespace program
+} // namespace meridian
+
+#endif // MERIDIAN_FIELD_ARGUMENTS_H
