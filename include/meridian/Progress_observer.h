@@ -13,7 +13,7 @@ namespace meridian {
 
 /// \ingroup PkgMeridianProgress
 /// the stages of a cut or of a search for generators, in the order they run.
-enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, OPEN, VERIFY };
+enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, FLOW, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, OPEN, VERIFY };
 
 /// \ingroup PkgMeridianProgress
 /// \returns the name of a stage as it stands in reports
@@ -26,6 +26,7 @@ inline const char* name_of(Stage stage)
   case Stage::ORDER: return "order";
   case Stage::CONTOURS: return "contours";
   case Stage::MERIDIANS: return "meridians";
+  case Stage::FLOW: return "flow";
   case Stage::LONGITUDES: return "longitudes";
   case Stage::TIGHTEN: return "tighten";
   case Stage::INSERT: return "insert";

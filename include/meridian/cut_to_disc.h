@@ -3,6 +3,8 @@
 #define MERIDIAN_CUT_TO_DISC_H
 
 #include <meridian/Progress_observer.h>
+#include <meridian/find_generators.h>
+#include <meridian/join_generators.h>
 #include <meridian/link_boundaries.h>
 #include <meridian/open_along.h>
 #include <meridian/order_surface.h>
@@ -23,9 +25,33 @@ enum class Link_domain
 };
 
 /// \ingroup PkgMeridianCut
+/// what cuts the handles.
+enum class Cut_method
+{
+  CONTOURS,   ///< a meridian for each handle (Patane 2007, section 3)
+  GENERATORS, ///< a meridian and a longitude for each handle (section 4)
+  MORSE       ///< the descending flow lines of all saddles (Ni, Garland, Hart 2004)
+};
+
+/// \ingroup PkgMeridianCut
+/// \returns the name of a method as it stands in reports
+inline const char* name_of(Cut_method method)
+{
+  switch (method)
+  {
+  case Cut_method::CONTOURS: return "contours";
+  case Cut_method::GENERATORS: return "generators";
+  case Cut_method::MORSE: return "morse";
+  }
+  return "";
+}
+
+/// \ingroup PkgMeridianCut
 /// what one may choose about a cut. Vertices are those of the surface that is cut.
 struct Cut_options : Field_options
 {
+  Cut_method method = Cut_method::CONTOURS;
+  Generator_join join = Generator_join::SURFACE; ///< with `Cut_method::GENERATORS`
   Preference preference = preference::gaussian_curvature;
   Link_domain link_domain = Link_domain::SURFACE;
   Link_options links;
@@ -39,6 +65,8 @@ struct Disc_cut : Field_summary
   Refined_surface surface;                       ///< the input, refined; the cut graph is its seam
   Opened_surface opened;                         ///< the disc
   std::vector<std::vector<Index>> meridians;     ///< closed, as vertices of `surface`, the most preferred first
+  std::vector<std::vector<Index>> longitudes;    ///< closed, of the same handles; with `Cut_method::GENERATORS`
+  std::vector<std::vector<Index>> flow_lines;    ///< open; with `Cut_method::MORSE`
   std::vector<std::vector<Index>> links;         ///< open, as vertices of `surface`
   std::vector<Meridian_choice> choices;          ///< the count after each meridian
   std::vector<Index> saddles;                    ///< for each meridian, a vertex of its saddle
@@ -50,13 +78,66 @@ struct Disc_cut : Field_summary
   Stage_times seconds;
 };
 
+namespace internal {
+
+inline void cut_along_contours(const Triangle_surface& root, const Ordered_surface& m, const Cut_options& options, const Stage_runner& run, Disc_cut& cut)
+{
+  Meridian_search search;
+  run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
+  run(Stage::MERIDIANS, [&] {
+    find_meridians(root, m, cut.genus, options.preference, search);
+    cut.choices = search.choices;
+    for (const auto& choice : cut.choices) { cut.saddles.push_back(search.candidates[choice.loop].saddle); }
+    cut.meridians = insert_curves(root, cut.surface, project_contours(root, m, search.chosen())).vertices;
+  });
+}
+
+inline std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m, const Cut_options& options,
+                                                    const Stage_runner& run, Disc_cut& cut)
+{
+  Generators g;
+  g.genus = cut.genus;
+  g.surface = Refined_surface(root);
+  Generator_options generator_options;
+  generator_options.preference = options.preference;
+  const auto saddles = find_generators(root, m, generator_options, run, g);
+  std::vector<Index> shared;
+  for (const Generator_pair& pair : g.pairs)
+  {
+    cut.meridians.push_back(pair.meridian.vertices);
+    cut.longitudes.push_back(pair.longitude.vertices);
+    cut.saddles.push_back(pair.meridian.saddle);
+    shared.push_back(pair.meridian.vertices.front());
+  }
+  cut.surface = std::move(g.surface);
+  std::vector<Link_guide> guides;
+  if (options.join != Generator_join::SURFACE) { run(Stage::FLOW, [&] { guides = guide_joins(m, make_morse_complex(m), saddles, shared, options.join); }); }
+  return guides;
+}
+
+inline void cut_along_flow_lines(const Triangle_surface& root, const Ordered_surface& m, const Stage_runner& run, Disc_cut& cut)
+{
+  run(Stage::FLOW, [&] {
+    const auto critical = find_critical_points(m.surface, m.rank);
+    Flow_tracer tracer(m, true, critical);
+    for (const Critical_point& p : critical) { if (p.kind == Critical_kind::SADDLE) { tracer.trace(p.vertex); } }
+    std::vector<Surface_curve> curves;
+    for (const Flow_line& line : tracer.lines()) { curves.push_back(line.curve); }
+    cut.surface = m.surface;
+    cut.flow_lines = insert_curves(root, cut.surface, curves).vertices;
+  });
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgMeridianCut
  *
  * cuts a connected surface into a disc along smooth curves (Patane 2007, section 3).
  *
  * A harmonic field is ordered, simplified and unfolded; of its saddles' contours as many as there are handles are cut
- * as meridians; the boundaries that this leaves are joined by a tree of links. A disc stays as it is.
+ * as meridians (or generators, or the flow lines of all saddles); the boundaries that this leaves are joined by a tree of links. A
+ * disc stays as it is.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
  *         mean-value weights
@@ -82,18 +163,17 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
   cut.smallest_angle_before = smallest_angle(root);
   cut.surface = Refined_surface(root);
 
+  std::vector<Link_guide> guides;
   if (cut.genus > 0)
   {
     const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, options, run);
     static_cast<Field_summary&>(cut) = summarize_field(root, m);
-    Meridian_search search;
-    run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
-    run(Stage::MERIDIANS, [&] {
-      find_meridians(root, m, cut.genus, options.preference, search);
-      cut.choices = search.choices;
-      for (const auto& choice : cut.choices) { cut.saddles.push_back(search.candidates[choice.loop].saddle); }
-      cut.meridians = insert_curves(root, cut.surface, project_contours(root, m, search.chosen())).vertices;
-    });
+    switch (options.method)
+    {
+    case Cut_method::CONTOURS: internal::cut_along_contours(root, m, options, run, cut); break;
+    case Cut_method::GENERATORS: guides = internal::cut_along_generators(root, m, options, run, cut); break;
+    case Cut_method::MORSE: internal::cut_along_flow_lines(root, m, run, cut); break;
+    }
   }
   run(Stage::LINKS, [&] {
     if (options.link_domain == Link_domain::PLANE)
@@ -103,8 +183,9 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
       if (cut.links_in_plane) { return; }
     }
     Link_options links = options.links;
+    links.guides = std::move(guides);
     links.progress = [&](double done) { run.progress(Stage::LINKS, done); };
-    cut.links = link_boundaries(root, cut.surface, cut.meridians, links);
+    cut.links = link_boundaries(root, cut.surface, links);
   });
   run(Stage::OPEN, [&] {
     cut.opened = open_along(cut.surface);

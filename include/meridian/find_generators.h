@@ -200,6 +200,120 @@ inline void add_shortest_longitudes(Normal_curves& curves, Index pairs, const St
 
 } // namespace internal
 
+namespace internal {
+
+// The saddle that a longitude turns at on the far side of its handle: of the two extremes of the field along it, the one farther from
+// the meridian's saddle lies beyond it. Returns a vertex of `m.surface`.
+inline Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curves, Index longitude, Index saddle)
+{
+  const Triangle_surface& root = curves.surface();
+  Index low = m.order.nodes.size(), high = -1;
+  for (Index x : curves.crossings(longitude))
+    for (Index v : {root.source(curves[x].halfedge), root.target(curves[x].halfedge)})
+    {
+      low = std::min(low, m.rank[v]);
+      high = std::max(high, m.rank[v]);
+    }
+  const Index at = m.rank[saddle];
+  const bool upwards = high - at > at - low;
+  Index best = -1;
+  for (const Critical_point& p : find_critical_points(m.surface, m.rank))
+  {
+    const Index r = m.rank[p.vertex];
+    if (p.kind != Critical_kind::SADDLE || r == at || (upwards ? r > high || r < at : r < low || r > at)) { continue; }
+    if (best < 0 || (upwards ? r > m.rank[best] : r < m.rank[best])) { best = p.vertex; }
+  }
+  return best;
+}
+
+// Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the second may be -1.
+inline std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
+                                                            const Stage_runner& run, Generators& g)
+{
+  std::vector<std::pair<Index, Index>> saddles;
+  static_cast<Field_summary&>(g) = summarize_field(root, m);
+  Meridian_search search;
+  run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
+  Normal_curves curves(root, 2 * g.genus);
+  run(Stage::MERIDIANS, [&] {
+    find_meridians(root, m, g.genus, options.preference, search);
+    add_contours(root, m, search.chosen(), curves);
+    g.pairs.resize(g.genus);
+    for (int i = 0; i < g.genus; ++i)
+    {
+      const std::size_t loop = search.choices[i].loop;
+      g.pairs[i].meridian.saddle = search.candidates[loop].saddle;
+      g.pairs[i].meridian.method = Curve_method::CONTOUR;
+      saddles.emplace_back(search.loops[loop].saddle, -1);
+    }
+  });
+  run(Stage::LONGITUDES, [&] {
+    add_shortest_longitudes(curves, g.genus, run);
+    check_contract(curves);
+    for (int i = 0; i < g.genus; ++i)
+    {
+      saddles[i].second = find_far_saddle(m, curves, 2 * i + 1, saddles[i].first);
+      if (saddles[i].second >= 0) { g.pairs[i].longitude.saddle = root_vertex(root, m.surface, saddles[i].second); }
+    }
+  });
+  for (int i = 0; i < g.genus; ++i)
+  {
+    g.pairs[i].meridian.length_found = length(curves, 2 * i);
+    g.pairs[i].longitude.length_found = length(curves, 2 * i + 1);
+  }
+  if (options.tighten)
+    run(Stage::TIGHTEN, [&] {
+      Tighten_options tightening = options.tightening;
+      tightening.progress = [&](double done) { run.progress(Stage::TIGHTEN, done); };
+      tighten_curves(curves, tightening);
+      check_contract(curves);
+    });
+  run(Stage::INSERT, [&] {
+    const auto paths = insert_curves(root, g.surface, place_normal_curves(curves)).vertices;
+    for (int i = 0; i < g.genus; ++i)
+    {
+      std::vector<Index> meridian = paths[2 * i], longitude = paths[2 * i + 1];
+      std::vector<Index> sorted = longitude;
+      std::sort(sorted.begin(), sorted.end());
+      const auto shared = std::find_if(meridian.begin(), meridian.end(), [&](Index v) { return std::binary_search(sorted.begin(), sorted.end(), v); });
+      if (shared == meridian.end()) { throw Internal_error("find_generators: a pair shares no vertex"); }
+      const Index v = *shared;
+      std::rotate(meridian.begin(), shared, meridian.end());
+      std::rotate(longitude.begin(), std::find(longitude.begin(), longitude.end(), v), longitude.end());
+      g.pairs[i].meridian.length = length(g.surface, meridian);
+      g.pairs[i].longitude.length = length(g.surface, longitude);
+      g.pairs[i].meridian.vertices = std::move(meridian);
+      g.pairs[i].longitude.vertices = std::move(longitude);
+    }
+  });
+  return saddles;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgMeridianGenerators
+ *
+ * finds a meridian and a longitude around every handle of a connected surface (Patane 2007, section 4).
+ *
+ * Meridians are contours of a harmonic field, chosen as for a cut. A longitude is the shortest way from one side of its
+ * meridian to the other that crosses no other curve, and back along it; the shortest are taken first. One always exists: cutting
+ * along disjoint meridians and arcs that join their two sides leaves the surface connected. Then all curves are tightened.
+ *
+ * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
+ *         mean-value weights
+ * \param root the surface
+ * \param options see there
+ *
+ * \returns the generators
+ * \pre `root` is connected
+ * \post there are as many pairs as the genus; each curve is simple and closed; the two of a pair share one vertex and cross there,
+ *       the longitude from right to left; curves of different pairs are disjoint
+ * \throws Invalid_input_error if minima and maxima coincide, Solver_error if the field cannot be solved, Cancelled if the
+ *         observer says so, Internal_error if an invariant broke
+ * \par Complexity
+ * One factorization, and for each handle a search as far as its longitude is long.
+ */
 template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
 Generators find_generators(const Triangle_surface& root, const Generator_options& options = Generator_options())
 {
@@ -213,52 +327,7 @@ Generators find_generators(const Triangle_surface& root, const Generator_options
   if (g.genus > 0)
   {
     const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, options, run);
-    static_cast<Field_summary&>(g) = summarize_field(root, m);
-    Meridian_search search;
-    run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
-    Normal_curves curves(root, 2 * g.genus);
-    run(Stage::MERIDIANS, [&] {
-      find_meridians(root, m, g.genus, options.preference, search);
-      internal::add_contours(root, m, search.chosen(), curves);
-      g.pairs.resize(g.genus);
-      for (int i = 0; i < g.genus; ++i)
-      {
-        g.pairs[i].meridian.saddle = search.candidates[search.choices[i].loop].saddle;
-        g.pairs[i].meridian.method = Curve_method::CONTOUR;
-      }
-    });
-    run(Stage::LONGITUDES, [&] {
-      internal::add_shortest_longitudes(curves, g.genus, run);
-      internal::check_contract(curves);
-    });
-    for (int i = 0; i < g.genus; ++i)
-    {
-      g.pairs[i].meridian.length_found = internal::length(curves, 2 * i);
-      g.pairs[i].longitude.length_found = internal::length(curves, 2 * i + 1);
-    }
-    if (options.tighten)
-      run(Stage::TIGHTEN, [&] {
-        Tighten_options tightening = options.tightening;
-        tightening.progress = [&](double done) { run.progress(Stage::TIGHTEN, done); };
-        tighten_curves(curves, tightening);
-        internal::check_contract(curves);
-      });
-    run(Stage::INSERT, [&] {
-      const auto paths = insert_curves(root, g.surface, internal::place_normal_curves(curves)).vertices;
-      for (int i = 0; i < g.genus; ++i)
-      {
-        std::vector<Index> meridian = paths[2 * i], longitude = paths[2 * i + 1];
-        const auto shared = std::find_first_of(meridian.begin(), meridian.end(), longitude.begin(), longitude.end());
-        if (shared == meridian.end()) { throw Internal_error("find_generators: a pair shares no vertex"); }
-        const Index v = *shared;
-        std::rotate(meridian.begin(), shared, meridian.end());
-        std::rotate(longitude.begin(), std::find(longitude.begin(), longitude.end(), v), longitude.end());
-        g.pairs[i].meridian.length = internal::length(g.surface, meridian);
-        g.pairs[i].longitude.length = internal::length(g.surface, longitude);
-        g.pairs[i].meridian.vertices = std::move(meridian);
-        g.pairs[i].longitude.vertices = std::move(longitude);
-      }
-    });
+    internal::find_generators(root, m, options, run, g);
   }
   g.smallest_angle_after = smallest_angle(g.surface);
   return g;

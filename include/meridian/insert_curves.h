@@ -50,6 +50,8 @@ inline Insertion insert_curves(const Triangle_surface& root, Refined_surface& s,
 
   std::map<Index, Index> vertex_of_node;
 
+  const auto is_end = [&](Index v, Index h) { return s.source(h) == v || s.target(h) == v; };
+
   // Points become vertices, numbered along the curves.
   for (const Surface_curve& curve : curves)
   {
@@ -76,6 +78,7 @@ inline Insertion insert_curves(const Triangle_surface& root, Refined_surface& s,
     {
       const Curve_point &p = curve.points[i], &q = curve.points[(i + 1) % n];
       if (p.is_vertex() && q.is_vertex()) { continue; } // an edge of the surface already
+      if (p.is_vertex() ? is_end(p.vertex, q.halfedge) : q.is_vertex() && is_end(q.vertex, p.halfedge)) { continue; } // a part of one
       const Index face = s.face(p.is_vertex() ? q.halfedge : s.opposite[p.halfedge]);
       chords.push_back({face, path[i], path[(i + 1) % n]});
     }

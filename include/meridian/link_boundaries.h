@@ -10,9 +10,14 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianLinks
+/// a way that a link shall take: between the boundaries of the cut surface that two vertices lie on, through faces of the root.
+struct Link_guide { Index from, to; std::vector<Index> faces; /**< sorted */ };
+
+/// \ingroup PkgMeridianLinks
 /// how boundaries are joined.
 struct Link_options
 {
+  std::vector<Link_guide> guides; ///< taken first, as far as no seam is in the way
   bool bifurcations = false; ///< whether a link may end on an earlier link
   Index source = -1;         ///< a root vertex that the links shall pass through, or -1
   std::function<void(double)> progress; ///< told after each link how much is done, from 0 to 1; may throw to end the run
@@ -31,8 +36,7 @@ struct Link_options
  * A closed surface of genus 0 is opened along a path between two vertices far apart, of at least two edges.
  *
  * \param root the surface that `s` refines
- * \param s the surface, whose seams are disjoint closed curves. The links are inserted and flagged.
- * \param meridians the seams, as vertices of `s` in order
+ * \param s the surface. The links are inserted and flagged.
  * \param options see there
  *
  * \returns the links as vertices of `s`
@@ -42,13 +46,12 @@ struct Link_options
  * \par Complexity
  * \f$ O(n \log n) \f$, plus the size of two cells for each link that meets an earlier one
  */
-inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
-                                                       const std::vector<std::vector<Index>>& meridians,
-                                                       const Link_options& options = Link_options())
+inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s, const Link_options& options = Link_options())
 {
-  internal::Slit_surface slit(root, s, meridians, options.bifurcations);
+  internal::Slit_surface slit(root, s, options.bifurcations);
+  const bool is_closed = slit.number_of_loops() == 0;
   if (options.source >= 0) { slit.add_point(options.source); }
-  if (slit.number_of_loops() < 2 && (meridians.empty() && boundary_loops(s).empty()))
+  if (is_closed && slit.number_of_loops() < 2)
   {
     const auto [from, to] = find_distant_nodes(s, make_node_graph(s));
     for (Index v : {from, to}) { slit.add_point(v); }
@@ -57,6 +60,15 @@ inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& r
   if (slit.number_of_loops() < 2) { return links; } // a disc already
 
   internal::Sleeve_search search(slit);
+  for (const Link_guide& guide : options.guides)
+  {
+    internal::Sleeve sleeve;
+    const Index from = slit.loop(s.outgoing[guide.from]), to = slit.loop(s.outgoing[guide.to]);
+    if (from < 0 || to < 0 || slit.are_joined(from, to)) { continue; }
+    if (!search.along_faces(from, to, guide.faces, sleeve)) { continue; } // something is in the way
+    links.push_back(slit.insert(sleeve));
+    search.grow();
+  }
   for (const auto& contact : search.find_spanning_contacts())
   {
     if (slit.are_joined(contact.from, contact.to)) { continue; }

@@ -19,7 +19,7 @@ struct Contact { Index from, to, halfedge; bool along; };
 class Sleeve_search
 {
 public:
-  explicit Sleeve_search(Slit_surface& slit) : m_slit(slit), m_cell(slit.surface().number_of_faces(), -1) {}
+  explicit Sleeve_search(Slit_surface& slit) : m_slit(slit), m_cell(slit.surface().number_of_faces(), -1), m_known_parents(slit.parents.size()) {}
 
   // The pairs of a minimum spanning tree of the boundaries, nearest first. The search ends when the tree is whole.
   std::vector<Contact> find_spanning_contacts()
@@ -27,6 +27,8 @@ public:
     const Refined_surface& s = m_slit.surface();
     const Index faces = s.number_of_faces();
     m_reached.assign(faces, Reached{});
+    m_cell.assign(faces, -1);
+    m_known_parents = m_slit.parents.size();
     std::vector<Index> joined(m_slit.number_of_loops());
     std::iota(joined.begin(), joined.end(), Index(0));
     const auto find = [&](Index a) { while (joined[a] != a) { a = joined[a] = joined[joined[a]]; } return a; };
@@ -133,6 +135,13 @@ public:
   bool anywhere(Index from, Sleeve& sleeve) const
   { return search(from, sleeve, [](Index) { return true; }); }
 
+  // The shortest strip from boundary `from` to boundary `to` through parts of the given faces of the root.
+  bool along_faces(Index from, Index to, const std::vector<Index>& faces, Sleeve& sleeve) const
+  {
+    const auto is_allowed = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), m_slit.surface().face_of[f]); };
+    return search(from, sleeve, is_allowed, to);
+  }
+
   // Takes over the faces that a link appended.
   void grow()
   {
@@ -167,7 +176,7 @@ private:
   }
 
   template <class Is_allowed>
-  bool search(Index from, Sleeve& sleeve, const Is_allowed& is_allowed) const
+  bool search(Index from, Sleeve& sleeve, const Is_allowed& is_allowed, Index to = -1) const
   {
     const Refined_surface& s = m_slit.surface();
     std::map<Index, Reached> reached;
@@ -206,7 +215,7 @@ private:
       const Reached r = reached[e.face];
       for (Index h = 3 * e.face; h < 3 * e.face + 3; ++h)
       {
-        if (m_slit.loop(h) >= 0 && !m_slit.are_joined(m_slit.loop(h), from))
+        if (m_slit.loop(h) >= 0 && (to >= 0 ? m_slit.are_joined(m_slit.loop(h), to) : !m_slit.are_joined(m_slit.loop(h), from)))
           queue.push({r.distance + distance(r.entry, s.points[s.source(h)]), e.face, h});
         if (!m_slit.may_cross(h)) { continue; }
         const Index g = s.face(s.opposite[h]);
@@ -221,7 +230,7 @@ private:
   Slit_surface& m_slit;
   std::vector<Index> m_cell;      // the boundary whose cell holds each face, -1 where the search did not come
   std::vector<Reached> m_reached; // of the faces that were there when the diagram was grown
-  std::size_t m_known_parents = 0;
+  std::size_t m_known_parents;
 };
 
 } // namespace internal

@@ -11,27 +11,25 @@ namespace meridian {
 namespace internal {
 
 // A surface cut along its seams without being taken apart: faces across a seam are not neighbours, and each corner at
-// a boundary knows which boundary of the cut surface it lies on. Meridian `i` has the boundaries 2i (left) and 2i + 1.
+// a boundary knows which boundary of the cut surface it lies on.
 class Slit_surface
 {
 public:
-  Slit_surface(const Triangle_surface& root, Refined_surface& s, const std::vector<std::vector<Index>>& meridians, bool bifurcations)
+  Slit_surface(const Triangle_surface& root, Refined_surface& s, bool bifurcations)
     : m_root(root), m_surface(s), m_bifurcations(bifurcations), m_loop(s.number_of_halfedges(), -1), m_is_used(s.number_of_vertices(), 0)
   {
-    for (const auto& curve : meridians)
-      for (int side = 0; side < 2; ++side)
-      {
-        const Index loop = add_loop();
-        for (std::size_t i = 0; i < curve.size(); ++i)
-        {
-          const Index u = curve[i], v = curve[(i + 1) % curve.size()];
-          label_sector(side == 0 ? s.find_halfedge(u, v) : s.find_halfedge(v, u), loop);
-        }
-      }
-    for (const auto& boundary : boundary_loops(s))
+    std::vector<char> is_done(s.number_of_halfedges(), 0);
+    for (Index first = 0; first < s.number_of_halfedges(); ++first)
     {
+      if (is_done[first] || !s.is_seam_or_boundary(first)) { continue; }
       const Index loop = add_loop();
-      for (Index h : boundary) { label_sector(h, loop); }
+      for (Index h = first; !is_done[h];)
+      {
+        is_done[h] = 1;
+        label_sector(h, loop);
+        h = s.next(h);
+        while (!s.is_seam_or_boundary(h)) { h = s.next(s.opposite[h]); }
+      }
     }
   }
 
