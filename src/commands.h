@@ -40,12 +40,13 @@ struct Cut_arguments : Field_arguments
 {
   Index source = 0;
   bool has_source = false;
-  std::string links = "surface";
+  std::string method = "contours", join = "surface", links = "surface";
   bool bifurcations = false;
 };
 
 struct Generator_arguments : Field_arguments
 {
+  std::string basis = "pairs", longitudes = "flow";
   bool no_tighten = false;
 };
 

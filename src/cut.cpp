@@ -22,6 +22,8 @@ Cut_options options_for(const Cut_arguments& a, const Surface_component& c, std:
 {
   Cut_options o;
   set_field_options(a, c, place, o, o.preference);
+  o.method = a.method == "generators" ? Cut_method::GENERATORS : a.method == "morse" ? Cut_method::MORSE : Cut_method::CONTOURS;
+  o.join = a.join == "complex" ? Generator_join::COMPLEX : a.join == "saddles" ? Generator_join::SADDLES : Generator_join::SURFACE;
   o.link_domain = a.links == "plane" ? Link_domain::PLANE : Link_domain::SURFACE;
   o.links.bifurcations = a.bifurcations;
   const auto source = a.has_source ? find_local({a.source}, c) : std::vector<Index>();
@@ -31,9 +33,9 @@ Cut_options options_for(const Cut_arguments& a, const Surface_component& c, std:
 
 std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
 {
-  std::vector<Result_curve> meridians, links, boundaries;
+  std::vector<Result_curve> meridians, longitudes, lines, links, boundaries;
   const auto add = [&](std::vector<Result_curve>& curves, const char* kind, const std::vector<Index>& path, std::size_t component, bool closed) {
-    Result_curve c{kind + ("_" + std::to_string(curves.size())), {}};
+    Result_curve c{kind + ("_" + std::to_string(curves.size())), {}, {}};
     for (Index v : path) { c.points.push_back(assembled.place[component][v]); }
     if (closed) { c.points.push_back(c.points.front()); }
     curves.push_back(std::move(c));
@@ -41,6 +43,8 @@ std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const A
   for (std::size_t i = 0; i < cuts.size(); ++i)
   {
     for (const auto& m : cuts[i].meridians) { add(meridians, "meridian", m, i, true); }
+    for (const auto& l : cuts[i].longitudes) { add(longitudes, "longitude", l, i, true); }
+    for (const auto& l : cuts[i].flow_lines) { add(lines, "flow_line", l, i, false); }
     for (const auto& l : cuts[i].links) { add(links, "link", l, i, false); }
     for (const auto& loop : boundary_loops(cuts[i].surface))
     {
@@ -49,8 +53,7 @@ std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const A
       add(boundaries, "boundary", path, i, true);
     }
   }
-  meridians.insert(meridians.end(), links.begin(), links.end());
-  meridians.insert(meridians.end(), boundaries.begin(), boundaries.end());
+  for (const auto* more : {&longitudes, &lines, &links, &boundaries}) { meridians.insert(meridians.end(), more->begin(), more->end()); }
   return meridians;
 }
 
@@ -64,6 +67,8 @@ std::string format_view(const std::string& title, const Examination& examination
   {
     parts.push_back({examination.components[i].surface, cuts[i].surface, cuts[i].field});
     for (const auto& m : cuts[i].meridians) { curves.push_back({page::Curve::MERIDIAN, i, m, true, ""}); }
+    for (const auto& l : cuts[i].longitudes) { curves.push_back({page::Curve::MERIDIAN, i, l, true, ""}); }
+    for (const auto& l : cuts[i].flow_lines) { curves.push_back({page::Curve::MERIDIAN, i, l, false, ""}); }
     for (const auto& l : cuts[i].links) { curves.push_back({page::Curve::OTHER, i, l, false, ""}); }
     genus += cuts[i].genus;
     loops += cuts[i].boundary_loops;
@@ -80,6 +85,8 @@ int run_cut(const Cut_arguments& arguments)
 {
   files::check_writable_format(arguments.out);
   check_arguments(arguments);
+  if (arguments.method != "contours" && arguments.links == "plane") { throw Usage_error("--links plane goes with --method contours"); }
+  if (arguments.method != "generators" && arguments.join != "surface") { throw Usage_error("--join goes with --method generators"); }
   if (arguments.links == "plane" && arguments.bifurcations) { throw Usage_error("--bifurcations is for links on the surface; leave out --links plane"); }
   Terminal terminal(arguments.quiet);
   const auto now = [] { return std::chrono::steady_clock::now(); };

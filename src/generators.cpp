@@ -22,15 +22,46 @@ Generator_options options_for(const Generator_arguments& a, const Surface_compon
 {
   Generator_options o;
   set_field_options(a, c, place, o, o.preference);
+  o.flow = a.longitudes == "flow";
   o.tighten = !a.no_tighten;
   return o;
+}
+
+// What a run writes, whichever curves were asked for.
+struct Outcome
+{
+  Assembled_result assembled;
+  std::vector<Result_curve> curves;
+  Generator_verification verification;
+  double seconds_verifying = 0;
+};
+
+template <class Curves>
+Outcome conclude(const Polygon_soup& soup, const Examination& examination, const std::vector<Curves>& all, Terminal& terminal)
+{
+  Outcome o;
+  o.assembled = assemble_refined(soup, examination, all);
+  o.curves = name_curves(all, o.assembled);
+  terminal.stage_started(Stage::VERIFY);
+  const auto begin = std::chrono::steady_clock::now();
+  o.verification = verify_generators(soup, o.assembled.mesh, o.curves);
+  o.seconds_verifying = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  o.verification.curves.resize(all.size());
+  return o;
+}
+
+std::string caption(std::size_t components, int curves, const char* what)
+{
+  std::ostringstream text;
+  text << components << (components == 1 ? " component, " : " components, ") << curves << ' ' << what << (curves == 1 ? "" : "s");
+  return text.str();
 }
 
 std::string format_view(const std::string& title, const Examination& examination, const std::vector<Generators>& all, const Assembled_result& assembled)
 {
   std::vector<page::Part> parts;
   std::vector<page::Curve> curves;
-  int handle = 0, loops = 0;
+  int handle = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     parts.push_back({examination.components[i].surface, all[i].surface, all[i].field});
@@ -40,12 +71,21 @@ std::string format_view(const std::string& title, const Examination& examination
       curves.push_back({page::Curve::MERIDIAN, i, pair.meridian.vertices, true, number});
       curves.push_back({page::Curve::OTHER, i, pair.longitude.vertices, true, number});
     }
-    loops += all[i].boundary_loops;
   }
-  std::ostringstream caption;
-  caption << all.size() << (all.size() == 1 ? " component" : " components") << ", " << handle << (handle == 1 ? " handle" : " handles")
-          << ", " << loops << " boundary loops";
-  return page::format_page(title, caption.str(), "longitudes", parts, curves, assembled);
+  return page::format_page(title, caption(all.size(), handle, "handle"), "longitudes", parts, curves, assembled);
+}
+
+std::string format_view(const std::string& title, const Examination& examination, const std::vector<Homology_basis>& all, const Assembled_result& assembled)
+{
+  static const std::vector<double> no_field;
+  std::vector<page::Part> parts;
+  std::vector<page::Curve> curves;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    parts.push_back({examination.components[i].surface, all[i].surface, no_field});
+    for (const Generator_curve& loop : all[i].loops) { curves.push_back({page::Curve::OTHER, i, loop.vertices, true, std::to_string(curves.size())}); }
+  }
+  return page::format_page(title, caption(all.size(), static_cast<int>(curves.size()), "loop"), "loops", parts, curves, assembled);
 }
 
 } // namespace
@@ -66,55 +106,80 @@ int run_generators(const Generator_arguments& arguments)
   const Examination examination = examine_surface(soup, arguments.repair);
   const double seconds_examining = since(begin);
   check_vertices(arguments, examination);
-  std::vector<Generator_options> options;
-  for (std::size_t i = 0; i < examination.components.size(); ++i)
-  {
-    options.push_back(options_for(arguments, examination.components[i], i));
-    options.back().observer = &terminal;
-  }
-  std::vector<Generators> all;
-  for (std::size_t i = 0; i < examination.components.size(); ++i)
-  {
-    terminal.begin_component(i, examination.components.size());
-    all.push_back(find_generators(examination.components[i].surface, options[i]));
-    classify_generators(examination.components[i].surface, all.back(), &terminal);
-  }
-  begin = now();
-  const Assembled_result assembled = assemble_result(soup, examination, all);
-  const std::vector<Result_curve> curves = name_curves(all, assembled);
-  const double seconds_assembling = since(begin);
-  terminal.stage_started(Stage::VERIFY);
-  begin = now();
-  const Generator_verification verification = verify_generators(soup, assembled.mesh, curves);
-  const double seconds_verifying = since(begin);
-
   Json components = Json::array();
-  int genus = 0, loops = 0;
-  double meridians = 0, longitudes = 0;
-  for (std::size_t i = 0; i < all.size(); ++i)
+  Outcome outcome;
+  std::string summary, view;
+  double length = 0;
+  if (arguments.basis == "pairs")
   {
-    const Curve_count count = i < verification.curves.size() ? verification.curves[i] : Curve_count{};
-    components.push_back(report_generators(all[i], examination.components[i], count, options[i], genus));
-    for (const Generator_pair& pair : all[i].pairs)
+    std::vector<Generator_options> options;
+    for (std::size_t i = 0; i < examination.components.size(); ++i)
     {
-      meridians += examination.components[i].unit * pair.meridian.length;
-      longitudes += examination.components[i].unit * pair.longitude.length;
+      options.push_back(options_for(arguments, examination.components[i], i));
+      options.back().observer = &terminal;
     }
-    genus += all[i].genus;
-    loops += all[i].boundary_loops;
+    std::vector<Generators> all;
+    for (std::size_t i = 0; i < examination.components.size(); ++i)
+    {
+      terminal.begin_component(i, examination.components.size());
+      all.push_back(find_generators(examination.components[i].surface, options[i]));
+      classify_generators(examination.components[i].surface, all.back(), &terminal);
+    }
+    outcome = conclude(soup, examination, all, terminal);
+    int handles = 0;
+    double longitudes = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      components.push_back(report_generators(all[i], examination.components[i], outcome.verification.curves[i], options[i], handles));
+      handles += all[i].genus;
+      for (const Generator_pair& pair : all[i].pairs)
+      {
+        length += examination.components[i].unit * pair.meridian.length;
+        longitudes += examination.components[i].unit * pair.longitude.length;
+      }
+    }
+    std::ostringstream text;
+    text << handles << (handles == 1 ? " handle" : " handles") << ", meridians " << length << ", longitudes " << longitudes;
+    summary = text.str();
+    if (!arguments.view.empty()) { view = format_view(arguments.mesh, examination, all, outcome.assembled); }
   }
+  else
+  {
+    std::vector<Homology_basis> all;
+    for (std::size_t i = 0; i < examination.components.size(); ++i)
+    {
+      terminal.begin_component(i, examination.components.size());
+      Basis_options options;
+      options.tighten = !arguments.no_tighten;
+      options.observer = &terminal;
+      all.push_back(find_shortest_basis(examination.components[i].surface, options));
+    }
+    outcome = conclude(soup, examination, all, terminal);
+    std::size_t loops = 0;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      components.push_back(report_basis(all[i], examination.components[i], outcome.verification.curves[i]));
+      loops += all[i].loops.size();
+      for (const Generator_curve& loop : all[i].loops) { length += examination.components[i].unit * loop.length; }
+    }
+    std::ostringstream text;
+    text << loops << " loops, length " << length;
+    summary = text.str();
+    if (!arguments.view.empty()) { view = format_view(arguments.mesh, examination, all, outcome.assembled); }
+  }
+  const Generator_verification& verification = outcome.verification;
   const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, soup, examination)}, {"components", components},
-                    {"seconds", {{"read", seconds_reading}, {"examine", seconds_examining}, {"assemble", seconds_assembling}, {"verify", seconds_verifying}}},
+                    {"seconds", {{"read", seconds_reading}, {"examine", seconds_examining}, {"verify", outcome.seconds_verifying}}},
                     {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   if (verification)
   {
-    out.add(arguments.out, files::format_mesh_with_curves(assembled.mesh, curves));
-    out.add(files::map_path(arguments.out), files::format_map(assembled.mesh, files::Result_kind::GENERATORS));
-    if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(assembled.mesh.points, curves)); }
-    if (!arguments.view.empty()) { out.add(arguments.view, format_view(arguments.mesh, examination, all, assembled)); }
+    out.add(arguments.out, files::format_mesh_with_curves(outcome.assembled.mesh, outcome.curves));
+    out.add(files::map_path(arguments.out), files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, outcome.curves));
+    if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(outcome.assembled.mesh.points, outcome.curves)); }
+    if (!arguments.view.empty()) { out.add(arguments.view, view); }
   }
   if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
   out.commit();
@@ -124,9 +189,8 @@ int run_generators(const Generator_arguments& arguments)
   if (!arguments.quiet)
   {
     for (const std::string& repair : examination.repairs) { std::cout << "note: " << repair << '\n'; }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << genus << (genus == 1 ? " handle" : " handles") << " on "
-              << all.size() << (all.size() == 1 ? " component" : " components") << " (boundary loops " << loops << "); meridians " << meridians
-              << ", longitudes " << longitudes << '\n';
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << examination.components.size()
+              << (examination.components.size() == 1 ? " component: " : " components: ") << summary << '\n';
   }
   return verification ? VERIFIED : NOT_VERIFIED;
 }

@@ -85,6 +85,10 @@ int main(int argc, char** argv)
   add_common(*cut_command, cut);
   cut_command->add_flag("--repair", cut.repair, repair_help);
   CLI::Option* cut_direction = add_field(*cut_command, cut);
+  cut_command->add_option("--method", cut.method, "what cuts the handles: a contour each, a meridian and a longitude each, or the descending flow lines of all saddles")
+    ->check(CLI::IsMember({"contours", "generators", "morse"}))->capture_default_str();
+  cut_command->add_option("--join", cut.join, "with --method generators: join the pairs by shortest paths on the surface, along the quasi Morse-Smale complex, or along its paths between the meridians' saddles")
+    ->check(CLI::IsMember({"surface", "complex", "saddles"}))->capture_default_str()->group(links);
   cut_command->add_option("--links", cut.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
     ->check(CLI::IsMember({"surface", "plane"}))->capture_default_str()->group(links);
   cut_command->add_flag("--bifurcations", cut.bifurcations, "let links end on other links, which makes the cut shorter")->group(links);
@@ -100,6 +104,10 @@ int main(int argc, char** argv)
   add_common(*generators_command, generators);
   generators_command->add_flag("--repair", generators.repair, repair_help);
   CLI::Option* generators_direction = add_field(*generators_command, generators);
+  generators_command->add_option("--basis", generators.basis, "a meridian and a longitude for every handle, or short loops that are a basis of homology and may cross")
+    ->check(CLI::IsMember({"pairs", "shortest"}))->capture_default_str();
+  generators_command->add_option("--longitudes", generators.longitudes, "look for flow lines first, or take shortest arcs at once")
+    ->check(CLI::IsMember({"flow", "arc"}))->capture_default_str();
   generators_command->add_flag("--no-tighten", generators.no_tighten, "leave the curves as they were found");
 
   Verify_arguments verify;

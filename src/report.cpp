@@ -77,12 +77,18 @@ Json report_cut(const Disc_cut& cut, const Surface_component& component, const C
   r["field"] = report_field(cut, options);
   Json meridians = Json::array(), links = Json::array();
   for (std::size_t i = 0; i < cut.meridians.size(); ++i)
-    meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)}, {"saddle", component.vertex_of[cut.saddles[i]]},
-                         {"genus_after", cut.choices[i].genus_after}, {"components_after", cut.choices[i].components_after}});
+  {
+    meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)}, {"saddle", component.vertex_of[cut.saddles[i]]}});
+    if (i < cut.choices.size())
+    {
+      meridians.back()["genus_after"] = cut.choices[i].genus_after;
+      meridians.back()["components_after"] = cut.choices[i].components_after;
+    }
+  }
   for (const auto& link : cut.links) { links.push_back({{"length", component.unit * length_of(cut, link, false)}}); }
-  r["cut"] = {{"edges", cut.opened.seams.size()}, {"length", component.unit * cut.length}, {"connected", count.discs == 1},
+  r["cut"] = {{"method", name_of(options.method)}, {"edges", cut.opened.seams.size()}, {"length", component.unit * cut.length}, {"connected", count.discs == 1},
               {"euler_characteristic", count.disc_euler_characteristic}, {"boundary_loops", count.disc_boundary_loops},
-              {"meridians", meridians}, {"links", links}, {"link_domain", cut.links_in_plane ? "plane" : "surface"},
+              {"meridians", meridians}, {"longitudes", cut.longitudes.size()}, {"flow_lines", cut.flow_lines.size()}, {"links", links}, {"link_domain", cut.links_in_plane ? "plane" : "surface"},
               {"new_vertices", cut.surface.origins.size()}, {"smallest_angle_before", degrees(cut.smallest_angle_before)},
               {"smallest_angle_after", degrees(cut.smallest_angle_after)}};
   if (!cut.link_note.empty()) { r["cut"]["link_note"] = cut.link_note; }
@@ -113,7 +119,7 @@ Json report_generators(const Generators& g, const Surface_component& component, 
   r["field"] = report_field(g, options);
   const auto curve = [&](const Generator_curve& c) {
     return Json{{"length", component.unit * c.length}, {"length_found", component.unit * c.length_found},
-                {"saddle", c.saddle < 0 ? Json() : Json(component.vertex_of[c.saddle])}, {"method", name_of(c.method)},
+                {"saddle", c.saddle < 0 ? Json() : Json(component.vertex_of[c.saddle])}, {"method", name_of(c.method)}, {"was_flow", c.was_flow},
                 {"class", name_of(c.loop_class)}, {"edges", c.vertices.size()}};
   };
   Json pairs = Json::array();
@@ -146,6 +152,26 @@ Json report_generators(const Generators& g, const Surface_component& component, 
   r["smallest_angle_before"] = degrees(g.smallest_angle_before);
   r["smallest_angle_after"] = degrees(g.smallest_angle_after);
   r["seconds"] = report_seconds(g.seconds);
+  return r;
+}
+
+Json report_basis(const Homology_basis& b, const Surface_component& component, const Curve_count& count)
+{
+  Json r = report_counts(component);
+  Json loops = Json::array();
+  double length = 0;
+  for (const Generator_curve& c : b.loops)
+  {
+    loops.push_back({{"length", component.unit * c.length}, {"length_found", component.unit * c.length_found}, {"edges", c.vertices.size()}});
+    length += component.unit * c.length;
+  }
+  r["basis"] = {{"loops", loops}, {"length", length}};
+  r["intersection_matrix"] = report_intersections(count);
+  r["is_basis"] = count.is_basis;
+  r["new_vertices"] = b.surface.origins.size();
+  r["smallest_angle_before"] = degrees(b.smallest_angle_before);
+  r["smallest_angle_after"] = degrees(b.smallest_angle_after);
+  r["seconds"] = report_seconds(b.seconds);
   return r;
 }
 

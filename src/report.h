@@ -3,7 +3,7 @@
 #define MERIDIAN_REPORT_H
 
 #include <meridian/cut_to_disc.h>
-#include <meridian/find_generators.h>
+#include <meridian/shortest_basis.h>
 #include <meridian/examine_surface.h>
 #include <meridian/verify_cut.h>
 #include <meridian/verify_generators.h>
@@ -22,6 +22,7 @@ Json report_counts(const Component_count& count);
 Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count, const Cut_options& options);
 // `first_handle`: the number of its first pair.
 Json report_generators(const Generators& generators, const Surface_component& component, const Curve_count& count, const Generator_options& options, int first_handle);
+Json report_basis(const Homology_basis& basis, const Surface_component& component, const Curve_count& count);
 // "symplectic", or the rows.
 Json report_intersections(const Curve_count& count);
 std::string format_report(const Json& report);

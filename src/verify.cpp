@@ -20,9 +20,16 @@ int run_verify(const Verify_arguments& arguments)
       throw files::File_error(arguments.result + ": face " + std::to_string(i) + " has " + std::to_string(opened.size(i)) + " corners; results have triangles only");
     result.faces.push_back({opened.corner(i, 0), opened.corner(i, 1), opened.corner(i, 2)});
   }
-  const files::Result_kind kind = files::read_map(files::map_path(arguments.result), result);
+  std::vector<Result_curve> fields;
+  const files::Result_kind kind = files::read_map(files::map_path(arguments.result), result, fields);
   Generator_verification v;
-  if (kind == files::Result_kind::GENERATORS) { v = verify_generators(input, result, files::read_curves(arguments.result)); }
+  if (kind == files::Result_kind::GENERATORS)
+  {
+    std::vector<Result_curve> curves = files::read_curves(arguments.result);
+    for (Result_curve& c : curves)
+      for (const Result_curve& f : fields) { if (f.name == c.name) { c.field = f.field; } }
+    v = verify_generators(input, result, curves);
+  }
   else { static_cast<Verification&>(v) = verify_cut(input, result); }
 
   Json components = Json::array();

@@ -184,8 +184,8 @@ void links(benchmark::State& state)
 {
   run(state, [](const Stages& s) {
         Refined_surface refined(s.root);
-        const auto meridians = insert_curves(s.root, refined, s.curves).vertices;
-        return link_boundaries(s.root, refined, meridians);
+        insert_curves(s.root, refined, s.curves);
+        return link_boundaries(s.root, refined);
       },
       [](const Stages& s, const auto& l) { return static_cast<int>(l.size()) == 2 * s.genus - 1; });
 }

@@ -212,29 +212,30 @@ public:
     std::vector<Index> faces, count(m_meeting.size(), 0);
     for (Index c = 0; c < number_of_curves(); ++c)
       for (Id x : crossings(c)) { faces.push_back(face_after(x)); }
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    std::vector<Id> open; // chords whose second end is still to come, by their first
-    for (Index face : faces)
-    {
-      for (Index h = 3 * face; h < 3 * face + 3; ++h)
-      {
-        const auto& list = on(m_surface.edge(h));
-        for (std::size_t i = 0; i < list.size(); ++i)
-        {
-          const Id x = list[m_surface.edge(h) == h ? i : list.size() - 1 - i], y = across(x, face);
-          if (edge(x) == edge(y)) { throw Internal_error("count_crossings: a curve turns back across an edge"); }
-          if (side(y, face) > h) { open.push_back(x); continue; }
-          if (!open.empty() && open.back() == y) { open.pop_back(); continue; }
-          if (open.size() < 2 || open[open.size() - 2] != y || m_crossings[open.back()].curve != partner(m_crossings[x].curve))
-            throw Internal_error("count_crossings: two curves cross that should not");
-          ++count[m_crossings[x].curve / 2];
-          open.erase(open.end() - 2);
-        }
-      }
-      if (!open.empty()) { throw Internal_error("count_crossings: a chord has one end"); }
-    }
+    if (!count_in_faces(faces, count)) { throw Internal_error("count_crossings: two curves cross that should not"); }
     return count;
+  }
+  /// \returns whether a curve is simple and crosses its partner once, and nothing else
+  bool crosses_partner_once(Index curve) const
+  {
+    std::vector<Index> faces, count(m_meeting.size(), 0);
+    for (Id x : crossings(curve)) { faces.push_back(face_after(x)); }
+    return count_in_faces(faces, count) && count[curve / 2] == 1;
+  }
+
+  /// \returns whether a curve that crosses its partner once crosses it from right to left
+  bool runs_from_right(Index curve) const
+  {
+    const Index face = meeting(curve);
+    for (Id x : crossings(curve))
+    {
+      if (face < 0 || face_after(x) != face) { continue; }
+      const Id end = m_crossings[x].next, y = crossed_by(end, face); // the partner enters the face at y
+      if (y < 0) { continue; }
+      const std::int64_t from = around(y, face), to = around(across(y, face), face), at = around(end, face);
+      return from < to ? at < from || at > to : to < at && at < from; // counterclockwise from where it leaves to where it enters
+    }
+    return false;
   }
 
   /// calls `visit(gap, x)` for the gaps of the region of `face` that `gap` lies on, counterclockwise: `x` is the end of the chord
@@ -275,6 +276,32 @@ public:
   }
 
 private:
+  // Counts where partners cross. False if others do, or if a chord has both ends on one edge.
+  bool count_in_faces(std::vector<Index>& faces, std::vector<Index>& count) const
+  {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    std::vector<Id> open; // chords whose second end is still to come, by their first
+    for (Index face : faces)
+    {
+      for (Index h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        const auto& list = on(m_surface.edge(h));
+        for (std::size_t i = 0; i < list.size(); ++i)
+        {
+          const Id x = list[m_surface.edge(h) == h ? i : list.size() - 1 - i], y = across(x, face);
+          if (edge(x) == edge(y)) { return false; }
+          if (side(y, face) > h) { open.push_back(x); continue; }
+          if (!open.empty() && open.back() == y) { open.pop_back(); continue; }
+          if (open.size() < 2 || open[open.size() - 2] != y || m_crossings[open.back()].curve != partner(m_crossings[x].curve)) { return false; }
+          ++count[m_crossings[x].curve / 2];
+          open.erase(open.end() - 2);
+        }
+      }
+      if (!open.empty()) { return false; }
+    }
+    return true;
+  }
   void find_meeting(Index curve)
   {
     if (partner(curve) >= number_of_curves() || !is_present(partner(curve))) { return; }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,12 @@ struct Result_mesh
 
 /// \ingroup PkgMeridianResults
 /// a named curve of a result: vertices in order, the first repeated at the end if it is closed.
-struct Result_curve { std::string name; std::vector<std::int32_t> points; };
+struct Result_curve
+{
+  std::string name;
+  std::vector<std::int32_t> points;
+  std::map<std::int32_t, double> field; ///< of flow lines: values at vertices of the input around, linear along its edges
+};
 
 /// \ingroup PkgMeridianResults
 /// \returns the position of an origin, by the one formula

@@ -5,7 +5,7 @@
 #include <meridian/Result_mesh.h>
 #include <meridian/cut_to_disc.h>
 #include <meridian/examine_surface.h>
-#include <meridian/find_generators.h>
+#include <meridian/shortest_basis.h>
 #include <meridian/verify_cut.h>
 #include <meridian/verify_generators.h>
 
@@ -183,60 +183,87 @@ inline Assembled_result assemble_result(const Polygon_soup& soup, const Examinat
 /*!
  * \ingroup PkgMeridianResults
  *
- * puts the refined components back into one mesh in the order of the input, with nothing taken apart.
+ * puts refined components back into one mesh in the order of the input, with nothing taken apart.
  *
+ * \tparam Curves `Generators` or `Homology_basis`
  * \param soup the input
  * \param examination what `examine_surface()` made of it
- * \param generators those of each component
+ * \param all those of each component
  *
  * \returns the refined mesh. The parts of a face stand where the face stood.
  * \par Complexity
  * Linear.
  */
-inline Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination, const std::vector<Generators>& generators)
+template <class Curves>
+Assembled_result assemble_refined(const Polygon_soup& soup, const Examination& examination, const std::vector<Curves>& all)
 {
-  std::vector<Opened_surface> whole(generators.size());
+  std::vector<Opened_surface> whole(all.size());
   std::vector<internal::Result_part> parts;
-  for (std::size_t i = 0; i < generators.size(); ++i)
+  for (std::size_t i = 0; i < all.size(); ++i)
   {
-    whole[i].triangles = generators[i].surface.triangles;
-    parts.push_back({generators[i].surface, whole[i]});
+    whole[i].triangles = all[i].surface.triangles;
+    parts.push_back({all[i].surface, whole[i]});
   }
   return internal::assemble_parts(soup, examination, parts);
 }
 
-/*!
- * \ingroup PkgMeridianResults
- *
- * \returns the curves of all components as they are written: the pairs, numbered through, then all boundary loops
- * \param generators those of each component
- * \param assembled their mesh
- */
-inline std::vector<Result_curve> name_curves(const std::vector<Generators>& generators, const Assembled_result& assembled)
+namespace internal {
+
+inline Result_curve name_curve(const std::string& name, const std::vector<Index>& path, const std::vector<Index>& place)
 {
-  std::vector<Result_curve> curves, boundaries;
-  const auto make = [&](const std::string& name, const std::vector<Index>& path, std::size_t component) {
-    Result_curve c{name, {}};
-    for (Index v : path) { c.points.push_back(assembled.place[component][v]); }
-    c.points.push_back(c.points.front());
-    return c;
-  };
-  std::size_t handle = 0;
-  for (std::size_t i = 0; i < generators.size(); ++i)
-  {
-    for (const Generator_pair& pair : generators[i].pairs)
-    {
-      curves.push_back(make("meridian_" + std::to_string(handle), pair.meridian.vertices, i));
-      curves.push_back(make("longitude_" + std::to_string(handle++), pair.longitude.vertices, i));
-    }
-    for (const auto& loop : boundary_loops(generators[i].surface))
+  Result_curve c{name, {}, {}};
+  for (Index v : path) { c.points.push_back(place[v]); }
+  c.points.push_back(c.points.front());
+  return c;
+}
+
+template <class Curves>
+void name_boundaries(const std::vector<Curves>& all, const Assembled_result& assembled, std::vector<Result_curve>& curves)
+{
+  int number = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const auto& loop : boundary_loops(all[i].surface))
     {
       std::vector<Index> path;
-      for (Index h : loop) { path.push_back(generators[i].surface.source(h)); }
-      boundaries.push_back(make("boundary_" + std::to_string(boundaries.size()), path, i));
+      for (Index h : loop) { path.push_back(all[i].surface.source(h)); }
+      curves.push_back(name_curve("boundary_" + std::to_string(number++), path, assembled.place[i]));
     }
-  }
-  curves.insert(curves.end(), boundaries.begin(), boundaries.end());
+}
+
+} // namespace internal
+
+/// \ingroup PkgMeridianResults
+/// \returns the curves of all components as they are written: the pairs, numbered through, then all boundary loops
+/// \param all the generators of each component
+/// \param assembled their mesh
+inline std::vector<Result_curve> name_curves(const std::vector<Generators>& all, const Assembled_result& assembled)
+{
+  std::vector<Result_curve> curves;
+  int handle = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const Generator_pair& pair : all[i].pairs)
+    {
+      const std::string number = std::to_string(handle++);
+      curves.push_back(internal::name_curve("meridian_" + number, pair.meridian.vertices, assembled.place[i]));
+      curves.push_back(internal::name_curve("longitude_" + number, pair.longitude.vertices, assembled.place[i]));
+      if (pair.longitude.method != Curve_method::FLOW) { continue; }
+      for (const auto& [v, value] : pair.longitude.field) { curves.back().field.emplace(assembled.place[i][v], value); }
+    }
+  internal::name_boundaries(all, assembled, curves);
+  return curves;
+}
+
+/// \ingroup PkgMeridianResults
+/// \returns the loops of all components, numbered through, then all boundary loops
+/// \param all the basis of each component
+/// \param assembled their mesh
+inline std::vector<Result_curve> name_curves(const std::vector<Homology_basis>& all, const Assembled_result& assembled)
+{
+  std::vector<Result_curve> curves;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const Generator_curve& loop : all[i].loops)
+      curves.push_back(internal::name_curve("loop_" + std::to_string(curves.size()), loop.vertices, assembled.place[i]));
+  internal::name_boundaries(all, assembled, curves);
   return curves;
 }
 
@@ -256,15 +283,16 @@ inline Verification verify_cut(const Triangle_surface& root, const Disc_cut& cut
 /*!
  * \ingroup PkgMeridianResults
  *
- * \returns the recount of generators that were made without a file
+ * \returns the recount of curves that were found without a file
+ * \tparam Curves `Generators` or `Homology_basis`
  * \param root the surface
- * \param generators its generators
+ * \param found its curves
  */
-inline Generator_verification verify_generators(const Triangle_surface& root, const Generators& generators)
+template <class Curves> Generator_verification verify_generators(const Triangle_surface& root, const Curves& found)
 {
   const Polygon_soup soup = internal::soup_of(root);
-  const std::vector<Generators> all{generators};
-  const Assembled_result assembled = assemble_result(soup, internal::examination_of(root), all);
+  const std::vector<Curves> all{found};
+  const Assembled_result assembled = assemble_refined(soup, internal::examination_of(root), all);
   return verify_generators(soup, assembled.mesh, name_curves(all, assembled));
 }
 

@@ -92,15 +92,17 @@ inline void cut_along_contours(const Triangle_surface& root, const Ordered_surfa
   });
 }
 
-inline std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m, const Cut_options& options,
+template <class SymmetricTraits, class GeneralTraits>
+std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m, const Cut_options& options,
                                                     const Stage_runner& run, Disc_cut& cut)
 {
   Generators g;
   g.genus = cut.genus;
   g.surface = Refined_surface(root);
   Generator_options generator_options;
+  static_cast<Field_options&>(generator_options) = options;
   generator_options.preference = options.preference;
-  const auto saddles = find_generators(root, m, generator_options, run, g);
+  const auto saddles = find_generators<SymmetricTraits, GeneralTraits>(root, m, generator_options, run, g);
   std::vector<Index> shared;
   for (const Generator_pair& pair : g.pairs)
   {
@@ -171,7 +173,7 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
     switch (options.method)
     {
     case Cut_method::CONTOURS: internal::cut_along_contours(root, m, options, run, cut); break;
-    case Cut_method::GENERATORS: guides = internal::cut_along_generators(root, m, options, run, cut); break;
+    case Cut_method::GENERATORS: guides = internal::cut_along_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, cut); break;
     case Cut_method::MORSE: internal::cut_along_flow_lines(root, m, run, cut); break;
     }
   }

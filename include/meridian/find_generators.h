@@ -3,11 +3,14 @@
 #define MERIDIAN_FIND_GENERATORS_H
 
 #include <meridian/internal/find_crossing_loop.h>
+#include <meridian/internal/flow_loops.h>
 #include <meridian/internal/place_normal_curves.h>
 #include <meridian/project_contours.h>
 #include <meridian/insert_curves.h>
 #include <meridian/select_meridians.h>
 #include <meridian/tighten_curves.h>
+
+#include <memory>
 
 namespace meridian {
 
@@ -16,6 +19,7 @@ namespace meridian {
 struct Generator_options : Field_options
 {
   Preference preference = preference::gaussian_curvature;
+  bool flow = true;    ///< whether longitudes are sought among flow lines first
   bool tighten = true; ///< whether the curves are shortened within their classes
   Tighten_options tightening;
   Progress_observer* observer = nullptr;
@@ -76,6 +80,8 @@ struct Generator_curve
   double length_found = 0;     ///< before tightening
   Index saddle = -1;           ///< the root vertex of the saddle it belongs to, or nearest to it; -1 if there is none
   Curve_method method = Curve_method::ARC;
+  bool was_flow = false;                       ///< whether it was made of flow lines before it was tightened
+  std::map<Index, double> field;               ///< of flow lines: the field at root vertices around, linear along edges
   Loop_class loop_class = Loop_class::UNKNOWN; ///< written by `classify_generators()`
 };
 
@@ -156,7 +162,10 @@ inline void check_contract(const Normal_curves& curves)
 
 // Finds longitudes, the shortest first: one is taken when no other could be shorter. Curves that are there only lengthen
 // the way of the others, so a way is the shortest still if nothing has come to its edges since it was found.
-inline void add_shortest_longitudes(Normal_curves& curves, Index pairs, const Stage_runner& run)
+//
+// `take_flow(i, loop)` may add another curve in place of `loop`, and says whether it did.
+template <class Take_flow>
+void add_shortest_longitudes(Normal_curves& curves, Index pairs, const Stage_runner& run, const Take_flow& take_flow)
 {
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
@@ -192,7 +201,7 @@ inline void add_shortest_longitudes(Normal_curves& curves, Index pairs, const St
         continue;
       }
     }
-    curves.add(2 * i + 1, loops[i].steps);
+    if (!take_flow(i, loops[i])) { curves.add(2 * i + 1, loops[i].steps); }
     loops[i].steps.clear();
     run.progress(Stage::LONGITUDES, (pairs + ++done) / (2. * pairs));
   }
@@ -201,6 +210,148 @@ inline void add_shortest_longitudes(Normal_curves& curves, Index pairs, const St
 } // namespace internal
 
 namespace internal {
+
+// Looks for longitudes among flow lines (Patane 2007, section 4).
+template <class SymmetricTraits, class GeneralTraits>
+class Flow_longitudes
+{
+public:
+  // `saddles`: of each pair's meridian, in `m.surface`.
+  Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles)
+    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(make_morse_complex(m)), m_critical(find_critical_points(m.surface, m.rank))
+  {
+    if (static_cast<int>(saddles.size()) > few) { return; }
+    m_fields = std::make_unique<Two_point_fields<SymmetricTraits>>(root);
+    m_whole.surface = root;
+    for (Index v = 0; v < root.number_of_vertices(); ++v) { m_whole.vertex_of.push_back(v); }
+    for (Index f = 0; f < root.number_of_faces(); ++f) { m_whole.face_of.push_back(f); }
+  }
+
+  // Adds a longitude of flow lines for pair `i`, if there is one that is not much longer than the arc found for it.
+  bool add(Index i, const Crossing_loop& arc, Generator_pair& pair)
+  {
+    // Both lines of the meridian's saddle may come to one end in the field itself.
+    if (m_fields)
+      for (bool descend : {false, true})
+      {
+        Flow_tracer tracer(m_ordered, descend, m_critical);
+        if (take(i, find_flow_loops(m_curves, m_whole, m_ordered, {m_saddles[i].first}, tracer), m_ordered, m_whole, arc, pair)) { return true; }
+      }
+    const Index low = pair.meridian.saddle;
+    const Index across = farthest_on(arc, low);
+    if (!m_fields) { return add_on_patch(i, arc, low, across, pair); }
+    // The saddle becomes the minimum of a field; the maximum is where the shortest flow line from it comes to or, for the second
+    // iteration, across the handle.
+    for (Index high : {nearest_critical(m_saddles[i].first), across})
+    {
+      Ordered_surface h;
+      if (high < 0 || !m_fields->order(low, high, h)) { continue; }
+      if (take_all(i, h, m_whole, arc, pair)) { return true; }
+    }
+    return false;
+  }
+
+private:
+  static constexpr int few = 8;            // handles for which fields are solved on the whole surface
+  static constexpr double longer = 1.25;   // than the arc, at most
+  static constexpr double reach = 0.3;     // of a patch, in lengths of the arc
+  static constexpr std::size_t share = 4;  // of all patches together, in faces of the surface, at most
+
+  Index farthest_on(const Crossing_loop& arc, Index from) const
+  {
+    Index best = -1;
+    for (const auto& step : arc.steps)
+    {
+      const Index v = m_root.source(step.halfedge);
+      if (best < 0 || distance(m_root.points[v], m_root.points[from]) > distance(m_root.points[best], m_root.points[from])) { best = v; }
+    }
+    return best;
+  }
+  Index nearest_critical(Index saddle) const
+  {
+    double least = std::numeric_limits<double>::infinity();
+    Index best = -1;
+    const Complex_graph& graph = m_complex.graph;
+    for (auto [e, last] = boost::edges(graph); e != last; ++e)
+    {
+      const Flow_line& line = m_complex.lines[graph[*e].line];
+      if (m_ordered.graph.node[line.start] != m_ordered.graph.node[saddle] || !(graph[*e].length < least)) { continue; }
+      least = graph[*e].length;
+      best = root_vertex(m_root, m_ordered.surface, line.end);
+    }
+    return best;
+  }
+  bool add_on_patch(Index i, const Crossing_loop& arc, Index low, Index high, Generator_pair& pair)
+  {
+    std::vector<Index> faces;
+    for (Index x : m_curves.crossings(2 * i)) { faces.push_back(m_curves.face_after(x)); }
+    for (const auto& step : arc.steps) { faces.push_back(m_root.face(step.halfedge)); }
+    const Surface_patch patch = cut_patch(m_root, faces, faces.front(), reach * arc.length, share * m_root.number_of_faces() / m_saddles.size());
+    if (!patch.vertex.count(low) || !patch.vertex.count(high) || low == high) { return false; }
+    Field_options options;
+    options.minima = {patch.vertex.at(low)};
+    options.maxima = {patch.vertex.at(high)};
+    const Node_graph g = make_node_graph(patch.surface);
+    if (g.node[options.minima.front()] == g.node[options.maxima.front()]) { return false; }
+    const Ordered_surface h = order_surface<SymmetricTraits, GeneralTraits>(patch.surface, options, [](Stage, const auto& work) { work(); });
+    return take_all(i, h, patch, arc, pair);
+  }
+  bool take_all(Index i, const Ordered_surface& h, const Surface_patch& patch, const Crossing_loop& arc, Generator_pair& pair)
+  {
+    const auto critical = find_critical_points(h.surface, h.rank);
+    std::vector<Index> saddles;
+    for (const Critical_point& p : critical) { if (p.kind == Critical_kind::SADDLE) { saddles.push_back(p.vertex); } }
+    Flow_tracer tracer(h, true, critical);
+    return take(i, find_flow_loops(m_curves, patch, h, saddles, tracer), h, patch, arc, pair);
+  }
+  bool take(Index i, const std::vector<Flow_loop>& loops, const Ordered_surface& h, const Surface_patch& patch, const Crossing_loop& arc, Generator_pair& pair)
+  {
+    for (const Flow_loop& loop : loops)
+    {
+      if (loop.length > longer * arc.length) { return false; }
+      if (!try_loop(m_curves, 2 * i + 1, loop.steps)) { continue; }
+      pair.longitude.method = Curve_method::FLOW;
+      pair.longitude.was_flow = true;
+      pair.longitude.saddle = loop.saddle;
+      for (const auto& step : loop.steps)
+        for (Index v : {m_root.source(step.halfedge), m_root.target(step.halfedge)})
+          pair.longitude.field.emplace(v, h.field(h.graph.node[patch.vertex.empty() ? v : patch.vertex.at(v)]));
+      return true;
+    }
+    return false;
+  }
+
+  const Triangle_surface& m_root;
+  const Ordered_surface& m_ordered;
+  Normal_curves& m_curves;
+  const std::vector<std::pair<Index, Index>>& m_saddles;
+  Morse_complex m_complex;
+  std::vector<Critical_point> m_critical;
+  std::unique_ptr<Two_point_fields<SymmetricTraits>> m_fields; // on the whole surface
+  Surface_patch m_whole;
+};
+
+// Whether a closed curve rises once and falls once in a field, linear along edges.
+inline bool is_monotone(const Refined_surface& s, const std::vector<Index>& loop, const std::map<Index, double>& field)
+{
+  std::vector<double> value;
+  for (Index v : loop)
+  {
+    const Origin o = s.origin(v);
+    if (o.kind == Origin::FACE) { return false; }
+    const auto a = field.find(o.index[0]), b = o.kind == Origin::EDGE ? field.find(o.index[1]) : a;
+    if (a == field.end() || b == field.end()) { return false; }
+    value.push_back(o.kind == Origin::EDGE ? a->second + o.weight[0] * (b->second - a->second) : a->second);
+  }
+  int turns = 0;
+  for (std::size_t i = 0; i < value.size(); ++i)
+  {
+    const double before = value[(i + value.size() - 1) % value.size()], at = value[i], after = value[(i + 1) % value.size()];
+    if (!(at < after) && !(at > after)) { return false; }
+    turns += (before < at) != (at < after);
+  }
+  return turns == 2;
+}
 
 // The saddle that a longitude turns at on the far side of its handle: of the two extremes of the field along it, the one farther from
 // the meridian's saddle lies beyond it. Returns a vertex of `m.surface`.
@@ -227,8 +378,9 @@ inline Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curv
 }
 
 // Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the second may be -1.
-inline std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
-                                                            const Stage_runner& run, Generators& g)
+template <class SymmetricTraits, class GeneralTraits>
+std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
+                                                     const Stage_runner& run, Generators& g)
 {
   std::vector<std::pair<Index, Index>> saddles;
   static_cast<Field_summary&>(g) = summarize_field(root, m);
@@ -248,12 +400,14 @@ inline std::vector<std::pair<Index, Index>> find_generators(const Triangle_surfa
     }
   });
   run(Stage::LONGITUDES, [&] {
-    add_shortest_longitudes(curves, g.genus, run);
+    std::unique_ptr<Flow_longitudes<SymmetricTraits, GeneralTraits>> flow;
+    if (options.flow) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, curves, saddles); }
+    add_shortest_longitudes(curves, g.genus, run, [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
     check_contract(curves);
     for (int i = 0; i < g.genus; ++i)
     {
       saddles[i].second = find_far_saddle(m, curves, 2 * i + 1, saddles[i].first);
-      if (saddles[i].second >= 0) { g.pairs[i].longitude.saddle = root_vertex(root, m.surface, saddles[i].second); }
+      if (saddles[i].second >= 0 && g.pairs[i].longitude.saddle < 0) { g.pairs[i].longitude.saddle = root_vertex(root, m.surface, saddles[i].second); }
     }
   });
   for (int i = 0; i < g.genus; ++i)
@@ -284,6 +438,12 @@ inline std::vector<std::pair<Index, Index>> find_generators(const Triangle_surfa
       g.pairs[i].longitude.length = length(g.surface, longitude);
       g.pairs[i].meridian.vertices = std::move(meridian);
       g.pairs[i].longitude.vertices = std::move(longitude);
+      Generator_curve& l = g.pairs[i].longitude;
+      if (l.method == Curve_method::FLOW && !is_monotone(g.surface, l.vertices, l.field))
+      {
+        l.method = Curve_method::ARC;
+        l.field.clear();
+      }
     }
   });
   return saddles;
@@ -327,7 +487,7 @@ Generators find_generators(const Triangle_surface& root, const Generator_options
   if (g.genus > 0)
   {
     const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, options, run);
-    internal::find_generators(root, m, options, run, g);
+    internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, g);
   }
   g.smallest_angle_after = smallest_angle(g.surface);
   return g;

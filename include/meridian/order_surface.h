@@ -47,6 +47,23 @@ inline Field_summary summarize_field(const Triangle_surface& root, const Ordered
   return f;
 }
 
+/// \ingroup PkgMeridianOrder
+/// orders a surface by its field and makes all saddles simple.
+/// \param root the surface that `m.surface` refines
+/// \param m surface, graph and field; the rest is found
+/// \param minima, maxima the nodes that may be extrema, sorted
+/// \par Complexity
+/// that of `simplify_order()` and `unfold_saddles()`
+inline void order_by_field(const Triangle_surface& root, Ordered_surface& m, const std::vector<Index>& minima, const std::vector<Index>& maxima)
+{
+  m.order = order_nodes(m.graph, m.field);
+  simplify_order(m.graph, m.order, minima, maxima);
+  m.rank.clear();
+  for (Index a : m.graph.node) { m.rank.push_back(m.order.rank[a]); }
+  m.critical = find_critical_points(m.surface, m.rank);
+  unfold_saddles(root, m);
+}
+
 /*!
  * \ingroup PkgMeridianOrder
  *
@@ -101,13 +118,7 @@ Ordered_surface order_surface(const Triangle_surface& root, const Field_options&
                 ? solve_harmonic_field<GeneralTraits>(m.surface, m.graph, weights, prescribed)
                 : solve_harmonic_field<SymmetricTraits>(m.surface, m.graph, weights, prescribed);
   });
-  run(Stage::ORDER, [&] {
-    m.order = order_nodes(m.graph, m.field);
-    simplify_order(m.graph, m.order, minima, maxima);
-    for (Index a : m.graph.node) { m.rank.push_back(m.order.rank[a]); }
-    m.critical = find_critical_points(m.surface, m.rank);
-    unfold_saddles(root, m);
-  });
+  run(Stage::ORDER, [&] { order_by_field(root, m, minima, maxima); });
   return m;
 }
 

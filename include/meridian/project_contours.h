@@ -9,6 +9,40 @@ namespace meridian {
 
 namespace internal {
 
+// Where a halfedge of a refined surface lies on an edge of its root: the halfedge of the root, in the face that holds the one given, and
+// the fractions of the two ends, counted from the lower of the edge's vertices.
+struct Root_stretch { Index halfedge; Index lower; std::array<double, 2> at; };
+
+// False if it lies inside a face of the root.
+inline bool find_stretch(const Triangle_surface& root, const Refined_surface& s, Index h, Root_stretch& found)
+{
+  std::array<Index, 2> ends;
+  if (!on_common_root_edge(s.origin(s.source(h)), s.origin(s.target(h)), ends, found.at)) { return false; }
+  const Index f = s.face_of[s.face(h)];
+  for (Index k = 3 * f; k < 3 * f + 3; ++k)
+    if (std::min(root.source(k), root.target(k)) == ends[0] && std::max(root.source(k), root.target(k)) == ends[1])
+    {
+      found.halfedge = k;
+      found.lower = ends[0];
+      return true;
+    }
+  throw Internal_error("find_stretch: an edge does not lie on the face it came from");
+}
+
+// Takes crossings out of a closed sequence that are taken back at once.
+template <class Sequence> void cancel(const Triangle_surface& s, Sequence& crossings)
+{
+  Sequence kept;
+  for (const auto& c : crossings)
+  {
+    if (!kept.empty() && s.opposite[kept.back().halfedge] == c.halfedge) { kept.pop_back(); }
+    else { kept.push_back(c); }
+  }
+  std::size_t first = 0, last = kept.size();
+  while (last - first >= 2 && s.opposite[kept[last - 1].halfedge] == kept[first].halfedge) { ++first; --last; }
+  crossings = {kept.begin() + first, kept.begin() + last};
+}
+
 // The crossings of contours with the edges of the root, in an order on every edge.
 inline std::vector<std::vector<Crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,
                                                             const std::vector<const Contour*>& contours)
@@ -19,30 +53,16 @@ inline std::vector<std::vector<Crossing>> project_crossings(const Triangle_surfa
     std::vector<Crossing> curve;
     for (Index h : contour->halfedges)
     {
-      const Refined_surface& s = m.surface;
-      std::array<Index, 2> ends;
-      std::array<double, 2> at;
-      if (!on_common_root_edge(s.origin(s.source(h)), s.origin(s.target(h)), ends, at)) { continue; }
-      const auto& corner = root.triangles[s.face_of[s.face(h)]];
-      Index crossed = -1;
-      for (Index k = 0; k < 3; ++k)
-      {
-        const std::array<Index, 2> side{corner[k], corner[(k + 1) % 3]};
-        if (std::min(side[0], side[1]) == ends[0] && std::max(side[0], side[1]) == ends[1]) { crossed = 3 * s.face_of[s.face(h)] + k; }
-      }
-      if (crossed < 0) { throw Internal_error("project_contours: an edge does not lie on the face it came from"); }
+      Root_stretch on;
+      if (!find_stretch(root, m.surface, h, on)) { continue; }
       // Fractions and places are counted from the lower of the two ends, the same for both halfedges.
-      const double t = at[0] + crossing_fraction(m, h, contour->level) * (at[1] - at[0]);
-      const bool rises = at[0] < at[1]; // the level grows from source to target
-      const Crossing c{crossed, root.edge(crossed), std::min(at[0], at[1]), rises ? contour->level : -contour->level,
-                                 root.source(root.edge(crossed)) == ends[0] ? t : 1 - t,
-                                 root.source(root.edge(crossed)) == ends[0]};
-      if (!curve.empty() && root.opposite[curve.back().halfedge] == c.halfedge) { curve.pop_back(); }
-      else { curve.push_back(c); }
+      const double t = on.at[0] + crossing_fraction(m, h, contour->level) * (on.at[1] - on.at[0]);
+      const bool rises = on.at[0] < on.at[1]; // the level grows from source to target
+      const Index edge = root.edge(on.halfedge);
+      const bool from_source = root.source(edge) == on.lower;
+      curve.push_back({on.halfedge, edge, std::min(on.at[0], on.at[1]), rises ? contour->level : -contour->level, from_source ? t : 1 - t, from_source});
     }
-    std::size_t first = 0, last = curve.size();
-    while (last - first >= 2 && root.opposite[curve[last - 1].halfedge] == curve[first].halfedge) { ++first; --last; }
-    curve = {curve.begin() + first, curve.begin() + last};
+    cancel(root, curve);
     if (curve.empty()) { throw Internal_error("project_contours: a contour can be pulled to a point"); }
     curves.push_back(std::move(curve));
   }

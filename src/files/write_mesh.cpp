@@ -169,7 +169,7 @@ std::vector<Result_curve> read_curves(const std::string& path)
     if (key == "g" || key == "o") { group = in.word_on_line(); }
     if (key == "l")
     {
-      curves.push_back({group, {}});
+      curves.push_back({group, {}, {}});
       for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
       {
         const auto i = in.parse<std::int64_t>(word.substr(0, word.find('/')), "a vertex of a line");
@@ -191,7 +191,7 @@ std::string map_path(const std::string& path)
   return stem + ".map.json";
 }
 
-std::string format_map(const Result_mesh& m, Result_kind kind)
+std::string format_map(const Result_mesh& m, Result_kind kind, const std::vector<Result_curve>& curves)
 {
   Text out;
   const auto number = [&](auto x) { out << x; };
@@ -205,11 +205,22 @@ std::string format_map(const Result_mesh& m, Result_kind kind)
   }) << ",\n\"face_of\": ";
   out.list(m.face_of, number) << ",\n\"component_of\": ";
   out.list(m.component_of, number) << ",\n\"seams\": ";
-  out.list(m.seams, [&](const std::array<std::int32_t, 2>& s) { out << '[' << s[0] << ',' << s[1] << ']'; }) << "\n}\n";
+  out.list(m.seams, [&](const std::array<std::int32_t, 2>& s) { out << '[' << s[0] << ',' << s[1] << ']'; });
+  if (kind == Result_kind::GENERATORS)
+  {
+    std::vector<Result_curve> flow;
+    std::copy_if(curves.begin(), curves.end(), std::back_inserter(flow), [](const Result_curve& c) { return !c.field.empty(); });
+    out << ",\n\"fields\": ";
+    out.list(flow, [&](const Result_curve& c) {
+      out << "{\"curve\": \"" << c.name << "\", \"values\": ";
+      out.list(c.field, [&](const auto& entry) { out << '[' << entry.first << ',' << entry.second << ']'; }) << '}';
+    });
+  }
+  out << "\n}\n";
   return out.take();
 }
 
-Result_kind read_map(const std::string& path, Result_mesh& mesh)
+Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Result_curve>& fields)
 {
   try
   {
@@ -244,6 +255,11 @@ Result_kind read_map(const std::string& path, Result_mesh& mesh)
       default: throw File_error(path + ": an origin has " + std::to_string(entry.size()) + " entries");
       }
       mesh.origin.push_back(o);
+    }
+    for (const auto& entry : json.value("fields", nlohmann::json::array()))
+    {
+      fields.push_back({entry.at("curve").get<std::string>(), {}, {}});
+      for (const auto& value : entry.at("values")) { fields.back().field.emplace(index(value.at(0)), value.at(1).get<double>()); }
     }
     return json.value("result", "cut") == "generators" ? Result_kind::GENERATORS : Result_kind::CUT;
   }

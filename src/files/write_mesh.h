@@ -28,9 +28,10 @@ std::vector<Result_curve> read_curves(const std::string& path);
 
 enum class Result_kind { CUT, GENERATORS };
 
-// The map of a result, as JSON, and back. The second throws File_error.
-std::string format_map(const Result_mesh& mesh, Result_kind kind);
-Result_kind read_map(const std::string& path, Result_mesh& mesh);
+// The map of a result, as JSON, with the fields that curves name. Those of a cut are none.
+std::string format_map(const Result_mesh& mesh, Result_kind kind, const std::vector<Result_curve>& curves = {});
+// The other way: the map, and fields for the curves of the same names. Throws File_error.
+Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Result_curve>& fields);
 
 // Where the map of a result stands: the path without its ending, and ".map.json".
 std::string map_path(const std::string& path);

@@ -1,5 +1,7 @@
 #include "pipeline.h"
 
+#include <meridian/classify_generators.h>
+
 namespace pipeline {
 
 Disc_cut cut(const Triangle_surface& s, const Cut_options& options) { return cut_to_disc(s, options); }
@@ -9,6 +11,17 @@ Scalar_field harmonic(const Triangle_surface& s, const Node_graph& g, const std:
   const auto w = edge_weights(s, weights);
   return weights == Weights::MEAN_VALUE ? solve_harmonic_field<General_solver_traits>(s, g, w, prescribed)
                                         : solve_harmonic_field<Symmetric_solver_traits>(s, g, w, prescribed);
+}
+
+Generators generators(const Triangle_surface& s, const Generator_options& options) { return find_generators(s, options); }
+
+Homology_basis basis(const Triangle_surface& s, const Basis_options& options) { return find_shortest_basis(s, options); }
+
+Generators classified(const Triangle_surface& s, const Generator_options& options)
+{
+  Generators g = find_generators(s, options);
+  classify_generators(s, g);
+  return g;
 }
 
 Ordered_surface order(const Triangle_surface& root, const std::vector<double>& field, bool simplify)

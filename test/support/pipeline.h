@@ -17,6 +17,11 @@ Scalar_field harmonic(const Triangle_surface& s, const Node_graph& g, const std:
 // maximum if `simplify` is set.
 Ordered_surface order(const Triangle_surface& s, const std::vector<double>& field, bool simplify);
 
+Generators generators(const Triangle_surface& s, const Generator_options& options = Generator_options());
+Homology_basis basis(const Triangle_surface& s, const Basis_options& options = Basis_options());
+// The same with the class of every curve.
+Generators classified(const Triangle_surface& s, const Generator_options& options = Generator_options());
+
 // A whole run, as the program does it.
 struct Run { Examination examination; std::vector<Disc_cut> cuts; Assembled_result assembled; Verification verification; };
 Run run(const Polygon_soup& soup, bool repair = false, const Cut_options& options = Cut_options());

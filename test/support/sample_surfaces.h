@@ -279,6 +279,48 @@ inline Triangle_surface dumbbell(double tube_length, int n = 48)
   return connected(std::move(s));
 }
 
+// A tube of n x m quadrilaterals around a closed curve; no direction of the curve may be the z axis.
+template <class Curve> Triangle_surface tube(int n, int m, double radius, const Curve& curve)
+{
+  using meridian::operator+;
+  using meridian::operator-;
+  using meridian::operator*;
+  Triangle_surface s;
+  for (int i = 0; i < n; ++i)
+  {
+    const double t = 2 * pi * i / n, step = 1e-4;
+    const Point at = curve(t), ahead = curve(t + step) - curve(t - step);
+    const Point along = (1 / meridian::norm(ahead)) * ahead;
+    Point side = meridian::cross({0, 0, 1}, along);
+    side = (1 / meridian::norm(side)) * side;
+    const Point up = meridian::cross(along, side);
+    for (int j = 0; j < m; ++j)
+    {
+      const double v = 2 * pi * j / m;
+      s.points.push_back(at + radius * (std::cos(v) * side + std::sin(v) * up));
+      const Index p = i * m + j, q = (i + 1) % n * m + j, u = (i + 1) % n * m + (j + 1) % m, w = i * m + (j + 1) % m;
+      s.triangles.push_back({p, q, u});
+      s.triangles.push_back({p, u, w});
+    }
+  }
+  return connected(std::move(s));
+}
+
+// The curve of a trefoil knot.
+inline Point trefoil(double t)
+{ return {std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)}; }
+
+// Turned about the x and then about the z axis.
+inline Triangle_surface rotated(Triangle_surface s, double a, double b)
+{
+  for (Point& p : s.points)
+  {
+    p = {p[0], std::cos(a) * p[1] - std::sin(a) * p[2], std::sin(a) * p[1] + std::cos(a) * p[2]};
+    p = {std::cos(b) * p[0] - std::sin(b) * p[1], std::sin(b) * p[0] + std::cos(b) * p[1], p[2]};
+  }
+  return s;
+}
+
 inline meridian::Polygon_soup soup(const Triangle_surface& s)
 {
   meridian::Polygon_soup soup;

@@ -38,8 +38,16 @@ template <class Is_free>
 std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std::vector<std::vector<Crossing>>& curves,
                                            bool closed, const Is_free& is_free)
 {
-  constexpr double margin = 0.05; // no crossing comes closer to an end of its edge or, if there is room, to another;
-  constexpr double part = 0.3;    // if not, crossings may take this part of the edge to keep apart
+  constexpr double margin = 0.05; // of its edge, a crossing keeps from its ends and, if there is room, from others;
+  constexpr double beside = 0.25; // but of the shortest edge at a vertex, no more than this,
+  constexpr double least_margin = 1e-3;
+  constexpr double part = 0.3;    // and all crossings of an edge no more than this of it
+  const auto margin_at = [&](Index v, Index edge) {
+    double shortest = s.length(edge);
+    const double whole = shortest;
+    s.for_each_outgoing(v, [&](Index h) { shortest = std::min(shortest, s.length(h)); });
+    return std::max(least_margin, whole > 0 ? std::min(margin, beside * shortest / whole) : margin);
+  };
   constexpr double close = 0.2;   // a curve that passes a vertex within this fraction of all edges goes through it
 
   struct Place { std::size_t curve, position; };
@@ -61,8 +69,11 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
   for (std::size_t i = 0, j; i < places.size(); i = j)
   {
     for (j = i; j < places.size() && at(places[j]).edge == at(places[i]).edge; ++j) {}
-    const double gap = std::min(margin, part / static_cast<double>(j - i + 1));
-    double least = 0, most = 1;
+    const Index e = at(places[i]).edge;
+    const double room = part / static_cast<double>(j - i + 1);
+    const double from_source = std::min(room, margin_at(s.source(e), e)), from_target = std::min(room, margin_at(s.target(e), e));
+    const double gap = std::min(from_source, from_target);
+    double least = from_source - gap, most = 1 - from_target + gap;
     const auto is_one = [&](std::size_t k) { return at(places[k]).node >= 0 && at(places[k]).node == at(places[k - 1]).node; };
     for (std::size_t k = i; k < j; ++k)
     {

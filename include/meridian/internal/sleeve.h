@@ -37,7 +37,7 @@ inline double turn(const Point_2& a, const Point_2& b, const Point_2& c)
 // The shortest path inside a sleeve, laid out in the plane.
 struct Pulled_path
 {
-  struct Corner { Index vertex; bool is_left; std::size_t portal; Point_2 at; };
+  struct Corner { Index vertex; bool is_left; std::size_t portal, first; Point_2 at; }; // `first`: the portal from which on it is an end
   std::vector<Corner> corners;       // start, the vertices where the path bends, end
   std::vector<Point_2> left, right;  // the ends of each portal: target and source of its halfedge
   std::vector<double> fraction;      // where the path crosses each halfedge
@@ -58,6 +58,7 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
     return {a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0]};
   };
   const Index h0 = sleeve.halfedges.front();
+  std::vector<std::size_t> first_left{0}, first_right{0}; // a closed sleeve comes to a vertex again; that is another end
   path.right.push_back({0, 0});
   path.left.push_back({s.length(h0), 0});
   const Point_2 start = third(s.source(h0), s.target(h0), sleeve.start, path.right[0], path.left[0], 1);
@@ -70,12 +71,14 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
     const bool moves_left = sleeve.halfedges[i + 1] == s.next(o); // the new portal keeps the right end
     path.right.push_back(moves_left ? path.right[i] : c);
     path.left.push_back(moves_left ? c : path.left[i]);
+    first_right.push_back(moves_left ? first_right[i] : i + 1);
+    first_left.push_back(moves_left ? i + 1 : first_left[i]);
   }
 
   using Corner = Pulled_path::Corner;
-  const auto left_of = [&](std::size_t i) { return Corner{s.target(sleeve.halfedges[i]), true, i, path.left[i]}; };
-  const auto right_of = [&](std::size_t i) { return Corner{s.source(sleeve.halfedges[i]), false, i, path.right[i]}; };
-  Corner apex{sleeve.start, true, 0, start}, left = apex, right = apex;
+  const auto left_of = [&](std::size_t i) { return Corner{s.target(sleeve.halfedges[i]), true, i, first_left[i], path.left[i]}; };
+  const auto right_of = [&](std::size_t i) { return Corner{s.source(sleeve.halfedges[i]), false, i, first_right[i], path.right[i]}; };
+  Corner apex{sleeve.start, true, 0, 0, start}, left = apex, right = apex;
   bool left_is_apex = true, right_is_apex = true;
   path.corners.push_back(apex);
   for (std::size_t i = 0; i <= n; ++i)
@@ -98,16 +101,16 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
     {
       if (!right_is_apex && !left_is_apex && turn(apex.at, left.at, r.at) >= 0) { restart(left); continue; }
       right = r;
-      right_is_apex = is_bend && r.vertex == apex.vertex;
+      right_is_apex = is_bend && !apex.is_left && r.first == apex.first;
     }
     if (left_is_apex || turn(apex.at, left.at, l.at) <= 0)
     {
       if (!left_is_apex && !right_is_apex && turn(apex.at, right.at, l.at) <= 0) { restart(right); continue; }
       left = l;
-      left_is_apex = is_bend && l.vertex == apex.vertex;
+      left_is_apex = is_bend && apex.is_left && l.first == apex.first;
     }
   }
-  path.corners.push_back({sleeve.end, true, n, end});
+  path.corners.push_back({sleeve.end, true, n, n, end});
 
   path.fraction.resize(n);
   std::size_t k = 1;
@@ -115,11 +118,11 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
   {
     while (k + 1 < path.corners.size() && path.corners[k].portal < i) { ++k; }
     const Corner &a = path.corners[k - 1], &b = path.corners[k];
-    const Index u = s.source(sleeve.halfedges[i]), v = s.target(sleeve.halfedges[i]);
-    const bool bends_at_a = k > 1, bends_at_b = k + 1 < path.corners.size();
+    const auto ends_at = [&](const Corner& corner, bool is_bend) { return is_bend && corner.first == (corner.is_left ? first_left : first_right)[i]; };
+    const bool at_a = ends_at(a, k > 1), at_b = ends_at(b, k + 1 < path.corners.size());
     double& t = path.fraction[i];
-    if ((bends_at_b && b.vertex == u) || (bends_at_a && a.vertex == u)) { t = 0; }
-    else if ((bends_at_b && b.vertex == v) || (bends_at_a && a.vertex == v)) { t = 1; }
+    if ((at_a && !a.is_left) || (at_b && !b.is_left)) { t = 0; }
+    else if (at_a || at_b) { t = 1; }
     else
     {
       const double p = turn(a.at, b.at, path.right[i]), q = turn(a.at, b.at, path.left[i]);

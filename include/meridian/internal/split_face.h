@@ -133,7 +133,6 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
   const auto loosen = [&](Index h, Index place) {
     loose.push_back({place, std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h)), h});
   };
-  // Seams are never crossed, so that a flag goes to the part that keeps both ends.
   struct Flag { Index from, to; };
   std::vector<Flag> flags;
   struct Parts { Index face; Triangles triangles; Rim rim; std::array<Index, 3> edges; };
@@ -146,6 +145,7 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
     {
       const Index h = 3 * f + k, e = s.edge(h), o = s.opposite[h];
       const unsigned side = 1u << k, side_before = 1u << ((k + 2) % 3);
+      const std::size_t begin = rim.size();
       rim.push_back({s.source(h), side | side_before});
       const auto first = std::lower_bound(edge_points.begin(), edge_points.end(), e,
                                           [](const Edge_point& p, Index edge) { return p.edge < edge; });
@@ -153,7 +153,10 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
       while (last != edge_points.end() && last->edge == e) { ++last; }
       if (e == h) { for (auto p = first; p != last; ++p) { rim.push_back({p->vertex, side}); } }
       else { for (auto p = last; p != first; --p) { rim.push_back({std::prev(p)->vertex, side}); } }
-      if (s.seam[h]) { flags.push_back({s.source(h), s.target(h)}); }
+      if (s.seam[h]) // its parts stay seams
+      {
+        for (std::size_t i = begin; i < rim.size(); ++i) { flags.push_back({rim[i].vertex, i + 1 < rim.size() ? rim[i + 1].vertex : s.target(h)}); }
+      }
       if (o >= 0 && !is_split(s.face(o))) { loosen(o, e); }
     }
     std::vector<std::pair<Index, Index>> inside;
@@ -210,7 +213,7 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
   for (const Flag& flag : flags)
   {
     const Index h = s.find_halfedge(flag.from, flag.to);
-    if (h < 0) { throw Internal_error("split_face: a curve crosses a seam"); }
+    if (h < 0) { throw Internal_error("split_face: a part of a seam is missing"); }
     s.seam[h] = 1;
     if (s.opposite[h] >= 0) { s.seam[s.opposite[h]] = 1; }
   }

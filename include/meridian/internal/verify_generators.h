@@ -19,7 +19,11 @@ public:
     if (verify_mesh())
     {
       find_fans();
-      if (m_report.failures.empty() && read_names() && read_walks()) { count_curves(); }
+      if (m_report.failures.empty() && read_names() && read_walks())
+      {
+        count_curves();
+        for (const Result_curve& c : m_curves) { if (!c.field.empty()) { check_flow(c); } }
+      }
     }
     Generator_verification found;
     static_cast<Verification&>(found) = std::move(m_report);
@@ -304,6 +308,34 @@ private:
     if (!m_counts[component].is_basis)
       complain("the curves of component " + std::to_string(component)
                + ", with its boundary loops but one, are not a basis of first homology: their determinant is neither 1 nor -1");
+  }
+
+  // Flow lines from a saddle to one place: the field rises once and falls once.
+  void check_flow(const Result_curve& c)
+  {
+    std::vector<double> values;
+    for (std::size_t i = 0; i + 1 < c.points.size(); ++i)
+    {
+      const Result_origin& o = m_result.origin[c.points[i]];
+      const auto a = c.field.find(o.index[0]), b = o.kind == Result_origin::EDGE ? c.field.find(o.index[1]) : a;
+      if (o.kind == Result_origin::FACE || a == c.field.end() || b == c.field.end())
+      {
+        complain(c.name + " is said to be made of flow lines, and its field has no value at vertex " + std::to_string(c.points[i]));
+        return;
+      }
+      values.push_back(o.kind == Result_origin::EDGE ? a->second + o.weight[0] * (b->second - a->second) : a->second);
+    }
+    int turns = 0;
+    bool is_strict = true;
+    const std::size_t n = values.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const double before = values[(i + n - 1) % n], after = values[(i + 1) % n];
+      is_strict = is_strict && (values[i] < after || values[i] > after);
+      turns += (before < values[i]) != (values[i] < after);
+    }
+    if (!is_strict || turns != 2)
+      complain(c.name + " is said to be made of flow lines, and its field turns " + std::to_string(turns) + " times along it, not twice");
   }
 
   struct Meeting { int vertices = 0, crossings = 0, number = 0; Id vertex = -1; };
