@@ -68,6 +68,33 @@ nlohmann::json cut(const program::Workplace& workplace, const fs::path& mesh)
   return report;
 }
 
+// Finds and recounts the generators of one mesh.
+void find_generators(const program::Workplace& workplace, const fs::path& mesh)
+{
+  const std::string name = mesh.filename().string();
+  const auto r = workplace.meridian("generators " + quoted(mesh) + " -o out.obj --report report.json");
+  check(r.status == 0, name, "generators: exit status " + std::to_string(r.status) + ": " + r.error);
+  if (r.status != 0) { return; }
+  const auto report = nlohmann::json::parse(program::read(workplace.folder() / "report.json"));
+  int flow = 0, pairs = 0;
+  for (const auto& c : report["components"])
+  {
+    check(c["generators"].size() == c["genus"], name, "the pairs are not as many as the genus");
+    check(c["intersection_matrix"] == "symplectic", name, "the intersection matrix is not symplectic");
+    check(c["is_basis"] == true, name, "not a basis");
+    for (const auto& pair : c["generators"])
+    {
+      ++pairs;
+      flow += pair["longitude"]["was_flow"] == true;
+    }
+  }
+  const auto verify = workplace.meridian("verify " + quoted(mesh) + " out.obj");
+  check(verify.status == 0, name, "verify: exit status " + std::to_string(verify.status) + ": " + verify.error);
+  std::cout << name << ": " << r.out.substr(r.out.rfind("verified")) << name << ": " << flow << " of " << pairs << " longitudes came from flow lines\n" << std::flush;
+  workplace.shell("rm -f out.obj out.map.json report.json");
+  ++passed;
+}
+
 void run_manifest(const fs::path& corpus, bool large)
 {
   const program::Workplace workplace;
@@ -97,6 +124,14 @@ void run_manifest(const fs::path& corpus, bool large)
   }
   if (large && fs::exists(corpus / "xl"))
     for (const auto& entry : fs::directory_iterator(corpus / "xl")) { cut(workplace, entry.path()); }
+}
+
+void run_generators(const fs::path& corpus)
+{
+  const program::Workplace workplace;
+  for (const auto& row : read_manifest(corpus / "MANIFEST.csv")) { find_generators(workplace, corpus / row.at("file")); }
+  if (fs::exists(corpus / "xl"))
+    for (const auto& entry : fs::directory_iterator(corpus / "xl")) { find_generators(workplace, entry.path()); }
 }
 
 void run_bad(const fs::path& corpus)
@@ -139,6 +174,7 @@ int main(int argc, char** argv)
   }
   const std::string set = argc > 1 ? argv[1] : "manifest";
   if (set == "bad") { run_bad(corpus); }
+  else if (set == "generators") { run_generators(corpus); }
   else { run_manifest(corpus, set == "large"); }
   std::cout << passed << " runs, " << failures << " failures\n";
   return failures == 0 && passed > 0 ? 0 : 1;

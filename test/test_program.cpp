@@ -89,6 +89,51 @@ BOOST_FIXTURE_TEST_CASE(a_result_that_was_changed_is_not_verified, Fixture)
   BOOST_TEST(meridian("verify mesh.obj missing.off").status == 1);
 }
 
+BOOST_FIXTURE_TEST_CASE(generators_are_written_reported_and_verified_from_their_files, Fixture)
+{
+  write("two.obj", obj(sample::noisy(sample::punctured(sample::plate(2, 3), {10}), 0.1, 4)));
+  const auto r = meridian("generators two.obj -o out.obj --report r.json --view v.html --curves c.obj");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_TEST(contains(r.out, "verified: 1 component: 2 handles"));
+  const auto report = json("r.json");
+  const auto& component = report["components"][0];
+  BOOST_TEST(component["intersection_matrix"] == "symplectic");
+  BOOST_TEST(component["is_basis"] == true);
+  BOOST_TEST(component["generators"].size() == 2u);
+  for (const auto& pair : component["generators"])
+    for (const char* key : {"handle", "meridian", "longitude", "class", "bounding_box", "centre"}) { BOOST_TEST(pair.contains(key), key); }
+  const std::string text = program::read(folder() / "out.obj");
+  for (const char* group : {"g meridian_0", "g longitude_0", "g meridian_1", "g longitude_1", "g boundary_0"}) { BOOST_TEST(contains(text, group), group); }
+  const auto verify = meridian("verify two.obj out.obj --report w.json");
+  BOOST_TEST(verify.status == 0, verify.error);
+  BOOST_TEST(json("w.json")["components"][0]["intersection_matrix"] == "symplectic");
+  // The same bytes again, and a changed curve is found.
+  BOOST_REQUIRE(meridian("generators two.obj -o again.obj --quiet").status == 0);
+  BOOST_TEST((program::read(folder() / "again.obj") == text && program::read(folder() / "again.map.json") == program::read(folder() / "out.map.json")));
+  std::string changed = text;
+  changed.replace(changed.find("g longitude_0"), 13, "g longitude_9");
+  write("again.obj", changed);
+  const auto found = meridian("verify two.obj again.obj");
+  BOOST_TEST(found.status == 2);
+  BOOST_TEST(contains(found.error, "not numbered through"));
+  BOOST_TEST(meridian("generators two.obj -o basis.obj --basis shortest --quiet").status == 0);
+  BOOST_TEST(meridian("verify two.obj basis.obj").status == 0);
+  BOOST_TEST(meridian("generators two.obj -o loose.obj --no-tighten --longitudes arc --quiet").status == 0);
+  BOOST_TEST(meridian("verify two.obj loose.obj").status == 0);
+  BOOST_TEST(meridian("generators two.obj -o out.off").status == 64);
+}
+
+BOOST_FIXTURE_TEST_CASE(every_method_of_a_cut_is_verified, Fixture)
+{
+  for (const char* method : {"generators", "generators --join complex", "generators --join saddles", "morse"})
+  {
+    BOOST_TEST(meridian(std::string("cut mesh.obj -o out.ply --report r.json --curves c.obj --view v.html --method ") + method).status == 0, method);
+    BOOST_TEST(meridian("verify mesh.obj out.ply").status == 0, method);
+  }
+  BOOST_TEST(meridian("cut mesh.obj -o out.ply --method morse --join complex").status == 64);
+  BOOST_TEST(meridian("cut mesh.obj -o out.ply --method morse --links plane").status == 64);
+}
+
 BOOST_FIXTURE_TEST_CASE(refused_input_leaves_no_file_and_says_the_way_out, Fixture)
 {
   write("crowded.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 1 0 3\n3 0 1 4\n");

@@ -242,6 +242,22 @@ void whole_cut(benchmark::State& state)
   state.counters["of_yardstick"] = median(ratio);
 }
 
+// Generators, and how long they take in lengths of a cut of the same surface.
+void whole_generators(benchmark::State& state)
+{
+  const Stages& s = stages(state);
+  run(state, [](const Stages& st) { return verify_generators(st.root, find_generators(st.root)); },
+      [](const Stages&, const Generator_verification& v) { return static_cast<bool>(v) && v.curves.front().is_symplectic; });
+  std::vector<double> ratio;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double cut = seconds([&] { benchmark::DoNotOptimize(verify_cut(s.root, cut_to_disc(s.root))); });
+    ratio.push_back(seconds([&] { benchmark::DoNotOptimize(verify_generators(s.root, find_generators(s.root))); }) / cut);
+  }
+  std::sort(ratio.begin(), ratio.end());
+  state.counters["of_cut"] = ratio[1];
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -259,6 +275,12 @@ int main(int argc, char** argv)
       if (genus == 1000 && faces == 10000) { continue; } // it takes twenty faces a hole
       for (const auto& [name, part] : parts)
         benchmark::RegisterBenchmark(name, part)->ArgNames({"faces", "genus"})->Args({faces, genus})->Unit(benchmark::kMillisecond);
+    }
+  for (int faces : {10000, 100000, 1000000})
+    for (int genus : {1, 5, 31, 133, 713})
+    {
+      if (faces < 140 * genus) { continue; }
+      benchmark::RegisterBenchmark("whole_generators", whole_generators)->ArgNames({"faces", "genus"})->Args({faces, genus})->Unit(benchmark::kMillisecond);
     }
   benchmark::RunSpecifiedBenchmarks();
 }
