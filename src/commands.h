@@ -47,7 +47,7 @@ struct Cut_arguments : Field_arguments
 struct Generator_arguments : Field_arguments
 {
   std::string basis = "pairs", longitudes = "flow";
-  bool no_tighten = false;
+  bool no_tighten = false, complex = false;
 };
 
 struct Verify_arguments : Common_arguments { std::string mesh, result; };

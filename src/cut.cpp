@@ -66,10 +66,10 @@ std::string format_view(const std::string& title, const Examination& examination
   for (std::size_t i = 0; i < cuts.size(); ++i)
   {
     parts.push_back({examination.components[i].surface, cuts[i].surface, cuts[i].field});
-    for (const auto& m : cuts[i].meridians) { curves.push_back({page::Curve::MERIDIAN, i, m, true, ""}); }
-    for (const auto& l : cuts[i].longitudes) { curves.push_back({page::Curve::MERIDIAN, i, l, true, ""}); }
-    for (const auto& l : cuts[i].flow_lines) { curves.push_back({page::Curve::MERIDIAN, i, l, false, ""}); }
-    for (const auto& l : cuts[i].links) { curves.push_back({page::Curve::OTHER, i, l, false, ""}); }
+    for (const auto& m : cuts[i].meridians) { curves.push_back({page::Curve::MERIDIAN, i, m, true, "", {}}); }
+    for (const auto& l : cuts[i].longitudes) { curves.push_back({page::Curve::MERIDIAN, i, l, true, "", {}}); }
+    for (const auto& l : cuts[i].flow_lines) { curves.push_back({page::Curve::MERIDIAN, i, l, false, "", {}}); }
+    for (const auto& l : cuts[i].links) { curves.push_back({page::Curve::OTHER, i, l, false, "", {}}); }
     genus += cuts[i].genus;
     loops += cuts[i].boundary_loops;
     length += examination.components[i].unit * cuts[i].length;

@@ -24,7 +24,14 @@ Generator_options options_for(const Generator_arguments& a, const Surface_compon
   set_field_options(a, c, place, o, o.preference);
   o.flow = a.longitudes == "flow";
   o.tighten = !a.no_tighten;
+  o.keep_complex = a.complex;
   return o;
+}
+
+std::vector<Point> in_file(const Surface_component& component, std::vector<Point> line)
+{
+  for (Point& p : line) { p = component.unit * p; }
+  return line;
 }
 
 // What a run writes, whichever curves were asked for.
@@ -32,6 +39,7 @@ struct Outcome
 {
   Assembled_result assembled;
   std::vector<Result_curve> curves;
+  std::vector<std::vector<Point>> lines; // of the complex
   Generator_verification verification;
   double seconds_verifying = 0;
 };
@@ -48,6 +56,23 @@ Outcome conclude(const Polygon_soup& soup, const Examination& examination, const
   o.seconds_verifying = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   o.verification.curves.resize(all.size());
   return o;
+}
+
+// The curves, and the lines of the complex after them.
+std::string format_curves(const Outcome& o)
+{
+  auto points = o.assembled.mesh.points;
+  auto curves = o.curves;
+  for (std::size_t i = 0; i < o.lines.size(); ++i)
+  {
+    curves.push_back({"flow_line_" + std::to_string(i), {}, {}});
+    for (const Point& p : o.lines[i])
+    {
+      curves.back().points.push_back(static_cast<std::int32_t>(points.size()));
+      points.push_back(p);
+    }
+  }
+  return files::format_curves(points, curves);
 }
 
 std::string caption(std::size_t components, int curves, const char* what)
@@ -68,9 +93,10 @@ std::string format_view(const std::string& title, const Examination& examination
     for (const Generator_pair& pair : all[i].pairs)
     {
       const std::string number = std::to_string(handle++);
-      curves.push_back({page::Curve::MERIDIAN, i, pair.meridian.vertices, true, number});
-      curves.push_back({page::Curve::OTHER, i, pair.longitude.vertices, true, number});
+      curves.push_back({page::Curve::MERIDIAN, i, pair.meridian.vertices, true, number, {}});
+      curves.push_back({page::Curve::OTHER, i, pair.longitude.vertices, true, number, {}});
     }
+    for (const auto& line : all[i].complex_lines) { curves.push_back({page::Curve::FLOW, i, {}, false, "", in_file(examination.components[i], line)}); }
   }
   return page::format_page(title, caption(all.size(), handle, "handle"), "longitudes", parts, curves, assembled);
 }
@@ -83,7 +109,7 @@ std::string format_view(const std::string& title, const Examination& examination
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     parts.push_back({examination.components[i].surface, all[i].surface, no_field});
-    for (const Generator_curve& loop : all[i].loops) { curves.push_back({page::Curve::OTHER, i, loop.vertices, true, std::to_string(curves.size())}); }
+    for (const Generator_curve& loop : all[i].loops) { curves.push_back({page::Curve::OTHER, i, loop.vertices, true, std::to_string(curves.size()), {}}); }
   }
   return page::format_page(title, caption(all.size(), static_cast<int>(curves.size()), "loop"), "loops", parts, curves, assembled);
 }
@@ -142,6 +168,8 @@ int run_generators(const Generator_arguments& arguments)
     text << handles << (handles == 1 ? " handle" : " handles") << ", meridians " << length << ", longitudes " << longitudes;
     summary = text.str();
     if (!arguments.view.empty()) { view = format_view(arguments.mesh, examination, all, outcome.assembled); }
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (const auto& line : all[i].complex_lines) { outcome.lines.push_back(in_file(examination.components[i], line)); }
   }
   else
   {
@@ -178,7 +206,7 @@ int run_generators(const Generator_arguments& arguments)
   {
     out.add(arguments.out, files::format_mesh_with_curves(outcome.assembled.mesh, outcome.curves));
     out.add(files::map_path(arguments.out), files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, outcome.curves));
-    if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(outcome.assembled.mesh.points, outcome.curves)); }
+    if (!arguments.curves.empty()) { out.add(arguments.curves, format_curves(outcome)); }
     if (!arguments.view.empty()) { out.add(arguments.view, view); }
   }
   if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }

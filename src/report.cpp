@@ -145,6 +145,8 @@ Json report_generators(const Generators& g, const Surface_component& component, 
                      {"class", name_of(pair.meridian.loop_class)},
                      {"bounding_box", {in_file(low), in_file(high)}}, {"centre", in_file(weight > 0 ? (1 / weight) * sum : low)}});
   }
+  r["field"]["morse_smale"] = g.is_morse_smale;
+  r["field"]["saddle_connections"] = g.saddle_connections;
   r["generators"] = pairs;
   r["intersection_matrix"] = report_intersections(count);
   r["is_basis"] = count.is_basis;

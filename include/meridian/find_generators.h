@@ -19,6 +19,7 @@ namespace meridian {
 struct Generator_options : Field_options
 {
   Preference preference = preference::gaussian_curvature;
+  bool keep_complex = false; ///< whether the quasi Morse-Smale complex of the field is kept
   bool flow = true;    ///< whether longitudes are sought among flow lines first
   bool tighten = true; ///< whether the curves are shortened within their classes
   Tighten_options tightening;
@@ -95,6 +96,9 @@ struct Generators : Field_summary
 {
   Refined_surface surface;           ///< the input, refined; the curves are its seams
   std::vector<Generator_pair> pairs; ///< as many as the genus
+  bool is_morse_smale = true;        ///< whether no flow line of the field joins two saddles
+  int saddle_connections = 0;        ///< how many do
+  std::vector<std::vector<Point>> complex_lines; ///< the flow lines of the field, from saddle to critical point, if asked for
   int genus = 0, boundary_loops = 0;
   double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
   Stage_times seconds;
@@ -217,8 +221,8 @@ class Flow_longitudes
 {
 public:
   // `saddles`: of each pair's meridian, in `m.surface`.
-  Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles)
-    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(make_morse_complex(m)), m_critical(find_critical_points(m.surface, m.rank))
+  Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, const Morse_complex& complex, Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles)
+    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_critical(find_critical_points(m.surface, m.rank))
   {
     if (static_cast<int>(saddles.size()) > few) { return; }
     m_fields = std::make_unique<Two_point_fields<SymmetricTraits>>(root);
@@ -325,7 +329,7 @@ private:
   const Ordered_surface& m_ordered;
   Normal_curves& m_curves;
   const std::vector<std::pair<Index, Index>>& m_saddles;
-  Morse_complex m_complex;
+  const Morse_complex& m_complex;
   std::vector<Critical_point> m_critical;
   std::unique_ptr<Two_point_fields<SymmetricTraits>> m_fields; // on the whole surface
   Surface_patch m_whole;
@@ -399,9 +403,20 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
       saddles.emplace_back(search.loops[loop].saddle, -1);
     }
   });
+  Morse_complex complex;
+  run(Stage::FLOW, [&] {
+    complex = make_morse_complex(m);
+    g.is_morse_smale = complex.is_morse_smale();
+    g.saddle_connections = static_cast<int>(complex.connections.size());
+    for (Index i = 0; i < static_cast<Index>(complex.lines.size()) && options.keep_complex; ++i)
+    {
+      auto& points = g.complex_lines.emplace_back();
+      for (const Curve_point& p : whole_line(complex.lines, i)) { points.push_back(position(m.surface, p)); }
+    }
+  });
   run(Stage::LONGITUDES, [&] {
     std::unique_ptr<Flow_longitudes<SymmetricTraits, GeneralTraits>> flow;
-    if (options.flow) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, curves, saddles); }
+    if (options.flow) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles); }
     add_shortest_longitudes(curves, g.genus, run, [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
     check_contract(curves);
     for (int i = 0; i < g.genus; ++i)

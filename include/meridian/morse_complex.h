@@ -10,11 +10,11 @@ namespace meridian {
 
 /// \ingroup PkgMeridianFlow
 /// a critical point, as a vertex of the graph of a complex.
-struct Complex_vertex { Critical_point critical; };
+struct Complex_vertex { Critical_point critical{}; };
 
 /// \ingroup PkgMeridianFlow
 /// a flow line from a saddle to the critical point that it comes to, as an edge of the graph of a complex.
-struct Complex_edge { Index line; double length; };
+struct Complex_edge { Index line = -1; double length = 0; };
 
 /// \ingroup PkgMeridianFlow
 using Complex_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Complex_vertex, Complex_edge>;

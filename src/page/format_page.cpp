@@ -71,12 +71,13 @@ std::string format_page(const std::string& title, const std::string& caption, co
   const Point middle = 0.5 * low + 0.5 * high;
   double size = 1e-300;
   for (int i = 0; i < 3; ++i) { size = std::max(size, (high[i] / 2 - low[i] / 2) * 1.5); }
-  const auto append = [&](std::vector<float>& array, Index v) {
-    for (int i = 0; i < 3; ++i) { array.push_back(static_cast<float>((points[v][i] - middle[i]) / size)); }
+  const auto append_point = [&](std::vector<float>& array, const Point& p) {
+    for (int i = 0; i < 3; ++i) { array.push_back(static_cast<float>((p[i] - middle[i]) / size)); }
   };
+  const auto append = [&](std::vector<float>& array, Index v) { append_point(array, points[v]); };
 
   std::vector<float> positions, field;
-  std::array<std::vector<float>, 2> lines;
+  std::array<std::vector<float>, 3> lines;
   std::vector<std::uint32_t> corners;
   for (std::size_t c = 0; c < parts.size(); ++c)
   {
@@ -109,6 +110,11 @@ std::string format_page(const std::string& title, const std::string& caption, co
       append(lines[curve.kind], place[path[i]]);
       append(lines[curve.kind], place[path[(i + 1) % path.size()]]);
     }
+    for (std::size_t i = 0; i + 1 < curve.points.size(); ++i)
+    {
+      append_point(lines[curve.kind], curve.points[i]);
+      append_point(lines[curve.kind], curve.points[i + 1]);
+    }
     if (curve.label.empty()) { continue; }
     std::vector<float> at;
     append(at, place[path[path.size() / 2]]);
@@ -125,7 +131,7 @@ std::string format_page(const std::string& title, const std::string& caption, co
   add_script(meridian_line_material_begin, meridian_line_material_end);
   add_script(meridian_line_segments_begin, meridian_line_segments_end);
   scripts += "<script>\nconst data = {positions: '" + base64(positions) + "', corners: '" + base64(corners) + "', field: '" + base64(field)
-             + "', meridians: '" + base64(lines[Curve::MERIDIAN]) + "', others: '" + base64(lines[Curve::OTHER]) + "', labels: [" + labels + "]};\n</script>\n";
+             + "', meridians: '" + base64(lines[Curve::MERIDIAN]) + "', others: '" + base64(lines[Curve::OTHER]) + "', flow: '" + base64(lines[Curve::FLOW]) + "', labels: [" + labels + "]};\n</script>\n";
   add_script(meridian_script_begin, meridian_script_end);
 
   std::string text(meridian_page_begin, meridian_page_end);

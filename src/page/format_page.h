@@ -18,12 +18,13 @@ struct Part
 // A curve on a part: vertices of its surface. Curves of one kind have one colour.
 struct Curve
 {
-  enum Kind { MERIDIAN, OTHER };
+  enum Kind { MERIDIAN, OTHER, FLOW };
   Kind kind;
   std::size_t part;
   std::vector<Index> path;
   bool is_closed;
   std::string label; // written beside it, unless empty
+  std::vector<Point> points; // in place of a path, if that is empty
 };
 
 // A self-contained page that shows the surface shaded by its field, with curves drawn over it. `others` is what curves are

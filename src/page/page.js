@@ -35,16 +35,16 @@
   scene.background = new THREE.Color(0xffffff);
   scene.add(new THREE.Mesh(geometry, material));
 
-  function curves(text, color) {
+  function curves(text, color, width) {
     const array = new Float32Array(bytes(text));
     if (array.length === 0) return null;
     const lines = new THREE.LineSegmentsGeometry();
     lines.setPositions(array);
-    const paint = new THREE.LineMaterial({ color: color, linewidth: 4 });
+    const paint = new THREE.LineMaterial({ color: color, linewidth: width });
     scene.add(new THREE.LineSegments2(lines, paint));
     return paint;
   }
-  const paints = [curves(data.meridians, 0xd3202a), curves(data.others, 0x1535b8)].filter(function (p) { return p; });
+  const paints = [curves(data.flow, 0x2f7d3b, 2), curves(data.meridians, 0xd3202a, 4), curves(data.others, 0x1535b8, 4)].filter(function (p) { return p; });
 
   const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
   camera.position.set(1.5, 1.1, 2.8);

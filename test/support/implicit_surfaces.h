@@ -1,0 +1,137 @@
+// Smooth surfaces of known genus, from distance functions: the shapes of the paper's figures.
+#ifndef MERIDIAN_TEST_IMPLICIT_SURFACES_H
+#define MERIDIAN_TEST_IMPLICIT_SURFACES_H
+
+#include "sample_surfaces.h"
+
+namespace sample {
+
+using Distance = std::function<double(const Point&)>; // below 0 inside
+
+inline double blend(double a, double b, double width) // a smooth minimum
+{
+  const double h = std::max(width - std::abs(a - b), 0.) / width;
+  return std::min(a, b) - h * h * width / 4;
+}
+
+inline double ring(const Point& p, double big, double small) // a torus about the z axis
+{ return std::hypot(std::hypot(p[0], p[1]) - big, p[2]) - small; }
+
+// The surface on a grid of cells x cells x cells over the cube of half-width `half`, by tetrahedra (Bloomenthal 1994). `warp` moves the
+// points of the grid, for irregular sampling.
+inline Triangle_surface isosurface(const Distance& f, double half, int cells, const std::function<Point(Point)>& warp = {})
+{
+  Triangle_surface s;
+  const int n = cells + 1;
+  const auto id = [&](int i, int j, int k) { return (i * n + j) * n + k; };
+  std::vector<Point> at(static_cast<std::size_t>(n) * n * n);
+  std::vector<double> value(at.size());
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < n; ++k)
+      {
+        Point p{half * (2. * i / cells - 1), half * (2. * j / cells - 1), half * (2. * k / cells - 1)};
+        if (warp) { p = warp(p); }
+        at[id(i, j, k)] = p;
+        value[id(i, j, k)] = f(p);
+      }
+  std::map<std::pair<int, int>, Index> vertex;
+  const auto cross = [&](int a, int b) {
+    const auto [found, is_new] = vertex.try_emplace({std::min(a, b), std::max(a, b)}, s.number_of_vertices());
+    if (is_new)
+    {
+      const int u = std::min(a, b), v = std::max(a, b);
+      const double t = std::min(std::max(value[u] / (value[u] - value[v]), 0.1), 0.9);
+      Point p;
+      for (int k = 0; k < 3; ++k) { p[k] = at[u][k] + t * (at[v][k] - at[u][k]); }
+      s.points.push_back(p);
+    }
+    return found->second;
+  };
+  const auto tetrahedron = [&](const std::array<int, 4>& t) { // positively oriented
+    std::vector<int> in, out;
+    for (int v : t) { (value[v] < 0 ? in : out).push_back(v); }
+    const auto add = [&](Index a, Index b, Index c, int inner, int outer) {
+      const Point n3 = meridian::cross(meridian::operator-(s.points[b], s.points[a]), meridian::operator-(s.points[c], s.points[a]));
+      if (meridian::dot(n3, meridian::operator-(at[outer], at[inner])) < 0) { std::swap(b, c); }
+      s.triangles.push_back({a, b, c});
+    };
+    if (in.size() == 1) { add(cross(in[0], out[0]), cross(in[0], out[1]), cross(in[0], out[2]), in[0], out[0]); }
+    if (in.size() == 3) { add(cross(in[0], out[0]), cross(in[1], out[0]), cross(in[2], out[0]), in[0], out[0]); }
+    if (in.size() == 2)
+    {
+      const Index a = cross(in[0], out[0]), b = cross(in[0], out[1]), c = cross(in[1], out[1]), d = cross(in[1], out[0]);
+      add(a, b, c, in[0], out[0]);
+      add(a, c, d, in[0], out[0]);
+    }
+  };
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j)
+      for (int k = 0; k < cells; ++k)
+        for (const std::array<int, 3>& order : {std::array<int, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
+        {
+          std::array<int, 3> c{i, j, k};
+          std::array<int, 4> t{id(i, j, k), 0, 0, 0};
+          for (int step = 0; step < 3; ++step)
+          {
+            ++c[order[step]];
+            t[step + 1] = id(c[0], c[1], c[2]);
+          }
+          tetrahedron(t);
+        }
+  return connected(std::move(s));
+}
+
+inline double bitorus_distance(const Point& p) { return blend(ring({p[0] - 1.05, p[1], p[2]}, 0.8, 0.3), ring({p[0] + 1.05, p[1], p[2]}, 0.8, 0.3), 0.3); }
+
+inline Triangle_surface bitorus(int cells) { return isosurface(bitorus_distance, 2.4, cells); }
+
+// With a handle a tenth as large as the others, on the outside of one ring.
+// Moves the points of a grid along x, so that its cells become wide in places and narrow in others.
+inline Point uneven(Point p)
+{
+  p[0] += 0.55 * std::sin(p[0] * pi / 1.2) * 1.2 / pi;
+  return p;
+}
+
+inline Triangle_surface bitorus_with_tiny_handle(int cells, bool is_irregular = false)
+{
+  const auto f = [](const Point& p) { return blend(bitorus_distance(p), ring({p[2] - 0.32, p[0] - 1.85, p[1]}, 0.14, 0.055), 0.04); };
+  return is_irregular ? isosurface(f, 2.4, cells, uneven) : isosurface(f, 2.4, cells);
+}
+
+inline Triangle_surface irregular_torus(int cells) { return isosurface([](const Point& p) { return ring(p, 1.5, 0.55); }, 2.4, cells, uneven); }
+
+inline Triangle_surface three_rings(int cells)
+{
+  return isosurface([](const Point& p) {
+    double d = 1e9;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double a = 2 * pi * i / 3;
+      d = blend(d, ring({p[0] - 1.15 * std::cos(a), p[1] - 1.15 * std::sin(a), p[2]}, 0.8, 0.28), 0.3);
+    }
+    return d;
+  }, 2.6, cells);
+}
+
+// A body with a handle, open at the top and at the spout: genus 1, two boundary loops.
+inline Triangle_surface teapot(int cells, bool is_open = true)
+{
+  const Triangle_surface s = isosurface([](const Point& p) {
+    const double body = std::sqrt(p[0] * p[0] + p[1] * p[1] + 1.3 * p[2] * p[2]) - 1.1;
+    const double handle = ring({p[0] + 1.15, p[2], p[1]}, 0.55, 0.16);
+    const double along = std::min(std::max((p[0] - 0.8) / 1.1, 0.), 1.);
+    const double spout = std::hypot(p[0] - 0.8 - 1.1 * along, p[1], p[2] - 0.7 * along + 0.2) - 0.28 + 0.1 * along;
+    return blend(blend(body, handle, 0.15), spout, 0.2);
+  }, 2.3, cells);
+  if (!is_open) { return s; }
+  return without(s, [&](Index f) {
+    const Point& p = s.points[s.triangles[f][0]];
+    return (p[2] > 0.78 && std::hypot(p[0], p[1]) < 0.8) || p[0] > 1.85;
+  });
+}
+
+} // namespace sample
+
+#endif // MERIDIAN_TEST_IMPLICIT_SURFACES_H
