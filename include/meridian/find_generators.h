@@ -335,6 +335,15 @@ private:
   Surface_patch m_whole;
 };
 
+// The edges that a curve crosses, with fractions along the halfedges by which it leaves faces.
+inline std::vector<Passing> passings_of(const Normal_curves& curves, Index c)
+{
+  std::vector<Passing> passings;
+  for (Index x : curves.crossings(c))
+    passings.push_back({curves[x].halfedge, curves.edge(x) == curves[x].halfedge ? curves[x].t : 1 - curves[x].t});
+  return passings;
+}
+
 // Whether a closed curve rises once and falls once in a field, linear along edges.
 inline bool is_monotone(const Refined_surface& s, const std::vector<Index>& loop, const std::map<Index, double>& field)
 {
@@ -381,10 +390,11 @@ inline Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curv
   return best;
 }
 
-// Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the second may be -1.
+// Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the second may be -1. If
+// `crossings` is given, only the edges that the curves cross are written to it.
 template <class SymmetricTraits, class GeneralTraits>
 std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
-                                                     const Stage_runner& run, Generators& g)
+                                                     const Stage_runner& run, Generators& g, std::vector<std::vector<Passing>>* crossings = nullptr)
 {
   std::vector<std::pair<Index, Index>> saddles;
   static_cast<Field_summary&>(g) = summarize_field(root, m);
@@ -437,6 +447,11 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
       tighten_curves(curves, tightening);
       check_contract(curves);
     });
+  if (crossings)
+  {
+    for (Index c = 0; c < curves.number_of_curves(); ++c) { crossings->push_back(passings_of(curves, c)); }
+    return saddles;
+  }
   run(Stage::INSERT, [&] {
     const auto paths = insert_curves(root, g.surface, place_normal_curves(curves)).vertices;
     for (int i = 0; i < g.genus; ++i)

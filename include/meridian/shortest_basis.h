@@ -118,9 +118,7 @@ inline double tighten_loop(const Triangle_surface& s, std::vector<Passing>& loop
   for (const Passing& c : loop) { steps.push_back({c.halfedge, 0, s.edge(c.halfedge) == c.halfedge ? c.t : 1 - c.t}); }
   curves.add(0, steps);
   const double length = tighten_curve(curves, 0, options);
-  loop.clear();
-  for (Index x : curves.crossings(0))
-    loop.push_back({curves[x].halfedge, s.edge(curves[x].halfedge) == curves[x].halfedge ? curves[x].t : 1 - curves[x].t});
+  loop = passings_of(curves, 0);
   return length;
 }
 
@@ -147,10 +145,11 @@ inline Surface_curve place_loop(const Refined_surface& s, const std::vector<Pass
  *
  * finds short simple closed curves that are a basis of first homology (of the surface with its boundary loops closed).
  *
- * Loops of a tree and cotree of faces (Erickson, Whittlesey 2005) are taken from several faces far apart, tightened, and chosen
- * greedily, the shortest first, as long as they are independent modulo 2. If what is chosen has an even or larger determinant
- * over the integers, the loops of the best single face are a basis always. The curves may cross.
+ * Loops of a tree and cotree of faces (Erickson, Whittlesey 2005) are taken from several faces far apart, and meridians and longitudes
+ * beside them; they are tightened and chosen greedily, the shortest first, as long as they are independent modulo 2. So the determinant
+ * over the integers is odd; that it is 1 or -1 is for `verify_generators()` to see. The curves may cross.
  *
+ * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param root a connected surface
  * \param options see there
  * \returns the curves
@@ -158,7 +157,8 @@ inline Surface_curve place_loop(const Refined_surface& s, const std::vector<Pass
  * \par Complexity
  * \f$ O(b n \log n) \f$ for \f$ b \f$ faces, and the tightening of at most \f$ 8 g \f$ loops
  */
-inline Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_options& options = Basis_options())
+template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
+Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_options& options = Basis_options())
 {
   Homology_basis basis;
   const internal::Stage_runner run{options.observer, basis.seconds};
@@ -171,7 +171,17 @@ inline Homology_basis find_shortest_basis(const Triangle_surface& root, const Ba
   const std::size_t wanted = 2 * static_cast<std::size_t>(basis.genus);
   std::vector<internal::Dual_loop> loops;
   run(Stage::LONGITUDES, [&] {
-    loops = internal::find_dual_loops(root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted, [&](double done) { run.progress(Stage::LONGITUDES, done); });
+    // Meridians and longitudes are candidates too.
+    Generator_options pair_options;
+    pair_options.flow = false;
+    pair_options.tighten = options.tighten;
+    const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, pair_options, [](Stage, const auto& work) { work(); });
+    Generators pairs;
+    pairs.genus = basis.genus;
+    Stage_times ignored;
+    std::vector<std::vector<internal::Passing>> crossings;
+    internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
+    loops = internal::find_dual_loops(root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted, crossings, [&](double done) { run.progress(Stage::LONGITUDES, done); });
   });
   run(Stage::TIGHTEN, [&] {
     for (std::size_t i = 0; i < loops.size() && options.tighten; ++i)

@@ -17,7 +17,6 @@ struct Dual_loop
   std::vector<Passing> crossings;
   double length, length_found;
   boost::dynamic_bitset<> parity;
-  std::size_t base; // the face it was found from
 };
 
 // A spanning tree of the nodes of a closed model and one of its faces that cross no common edge. The tree's loops of the edges in
@@ -171,7 +170,7 @@ inline std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Node_gra
     std::reverse(there.begin(), there.end());
     there.push_back({h, 0.5});
     there.insert(there.end(), back.begin(), back.end());
-    loops.push_back({std::move(there), -length, -length, {}, static_cast<std::size_t>(base)});
+    loops.push_back({std::move(there), -length, -length, {}});
   }
   return loops;
 }
@@ -194,9 +193,10 @@ inline std::vector<Dual_loop> choose_basis(std::vector<Dual_loop> loops, std::si
   return chosen;
 }
 
-// Candidates for a short basis: from faces far apart, the loops that make one, and of the others the shortest.
+// Candidates for a short basis: the loops that make one from each of several faces far apart, and others; of these the shortest.
 template <class Progress>
-std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted, const Progress& progress)
+std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted, const std::vector<std::vector<Passing>>& others,
+                                       const Progress& progress)
 {
   const Node_graph g = make_node_graph(s);
   const Node_tree tree(s, g);
@@ -209,6 +209,16 @@ std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std
     all.insert(all.end(), std::make_move_iterator(loops.begin()), std::make_move_iterator(loops.end()));
     base = static_cast<Index>(std::max_element(far.begin(), far.end()) - far.begin());
     progress((i + 1.) / bases);
+  }
+  for (const auto& crossings : others)
+  {
+    double length = 0;
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+    {
+      const Passing &a = crossings[i], &b = crossings[(i + 1) % crossings.size()];
+      length += distance(s.point_on(a.halfedge, a.t), s.point_on(b.halfedge, b.t));
+    }
+    all.push_back({crossings, length, length, {}});
   }
   std::stable_sort(all.begin(), all.end(), [](const Dual_loop& a, const Dual_loop& b) { return a.length < b.length; });
   for (Dual_loop& loop : all) { loop.parity = tree.parity_of(loop.crossings); }
