@@ -46,7 +46,7 @@ struct Cut_arguments : Field_arguments
 
 struct Generator_arguments : Field_arguments
 {
-  std::string basis = "pairs", longitudes = "flow";
+  std::string basis = "pairs", longitudes = "flow", mode = "closed";
   bool no_tighten = false, complex = false;
 };
 

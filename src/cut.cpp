@@ -3,6 +3,7 @@
 #include "field_arguments.h"
 #include "files/Output_files.h"
 #include "files/write_mesh.h"
+#include "instances.h"
 #include "page/format_page.h"
 #include "report.h"
 

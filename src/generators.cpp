@@ -3,6 +3,7 @@
 #include "field_arguments.h"
 #include "files/Output_files.h"
 #include "files/write_mesh.h"
+#include "instances.h"
 #include "page/format_page.h"
 #include "report.h"
 
@@ -22,6 +23,7 @@ Generator_options options_for(const Generator_arguments& a, const Surface_compon
 {
   Generator_options o;
   set_field_options(a, c, place, o, o.preference);
+  o.is_open = a.mode == "open";
   o.flow = a.longitudes == "flow";
   o.tighten = !a.no_tighten;
   o.keep_complex = a.complex;

@@ -108,6 +108,8 @@ int main(int argc, char** argv)
     ->check(CLI::IsMember({"pairs", "shortest"}))->capture_default_str();
   generators_command->add_option("--longitudes", generators.longitudes, "look for flow lines first, or take shortest arcs at once")
     ->check(CLI::IsMember({"flow", "arc"}))->capture_default_str();
+  generators_command->add_option("--mode", generators.mode, "boundary loops take one value of the field each, or the boundary is free and level lines may end there")
+    ->check(CLI::IsMember({"closed", "open"}))->capture_default_str()->group(field);
   generators_command->add_flag("--complex", generators.complex, "show the flow lines of the field in --view and write them to --curves");
   generators_command->add_flag("--no-tighten", generators.no_tighten, "leave the curves as they were found");
 

@@ -145,6 +145,13 @@ Json report_generators(const Generators& g, const Surface_component& component, 
                      {"class", name_of(pair.meridian.loop_class)},
                      {"bounding_box", {in_file(low), in_file(high)}}, {"centre", in_file(weight > 0 ? (1 / weight) * sum : low)}});
   }
+  if (options.is_open && g.boundary_loops > 0)
+  {
+    r["field"]["mode"] = "open";
+    r["field"]["counted_on"] = "surface with its boundary filled";
+    r["field"]["meridian_loops"] = g.loops;
+    r["field"]["meridian_arcs"] = g.arcs;
+  }
   r["field"]["morse_smale"] = g.is_morse_smale;
   r["field"]["saddle_connections"] = g.saddle_connections;
   r["generators"] = pairs;

@@ -49,6 +49,20 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_cut_into_a_disc, TriangleMesh, Mesh_type
   BOOST_TEST(cut_to_disc(tm, by_default).genus == 2);
 }
 
+BOOST_AUTO_TEST_CASE_TEMPLATE(generators_are_closed_paths_of_a_refined_mesh, TriangleMesh, Mesh_types)
+{
+  const auto tm = build_mesh<TriangleMesh>(sample::noisy(sample::plate(2, 3), 0.1, 1));
+  TriangleMesh refined;
+  std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>> curves;
+  Generator_options options;
+  options.flow = false;
+  const Generators g = find_generators(tm, refined, std::back_inserter(curves), parameters::generator_options(options));
+  BOOST_TEST(g.pairs.size() == 2u);
+  BOOST_TEST(curves.size() == 4u);
+  for (const auto& path : curves)
+    for (std::size_t i = 0; i < path.size(); ++i) { BOOST_TEST(halfedge(path[i], path[(i + 1) % path.size()], refined).second); }
+}
+
 BOOST_AUTO_TEST_CASE(the_cut_graph_is_an_edge_map_of_the_refined_mesh)
 {
   const auto tm = build_mesh<Mesh>(sample::noisy(sample::plate(1, 3), 0.1, 1));

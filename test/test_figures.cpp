@@ -65,6 +65,9 @@ BOOST_AUTO_TEST_CASE(figure_12_a_pot_with_a_handle_and_two_openings)
   const Generators open = check(sample::teapot(40), 1, 2), closed = check(sample::teapot(40, false), 1, 0);
   BOOST_TEST(open.counts.saddles == 2);
   BOOST_TEST(open.pairs.front().meridian.length == closed.pairs.front().meridian.length, boost::test_tools::tolerance(0.1));
+  Generator_options options;
+  options.is_open = true;
+  BOOST_TEST(verify_generators(sample::teapot(40), pipeline::generators(sample::teapot(40), options)).failures.size() == 0u);
   // A field with many extrema on the boundary, as one without conditions there has: contours still cut the handle.
   const Triangle_surface s = sample::teapot(40);
   std::vector<double> height;

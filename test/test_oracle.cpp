@@ -5,6 +5,7 @@
 #include <meridian/find_generators.h>
 
 #include "files/read_mesh.h"
+#include "instances.h"
 
 #include <CGAL/Curves_on_surface_topology.h>
 #include <CGAL/Path_on_surface.h>

@@ -120,6 +120,10 @@ BOOST_FIXTURE_TEST_CASE(generators_are_written_reported_and_verified_from_their_
   BOOST_TEST(meridian("verify two.obj basis.obj").status == 0);
   BOOST_TEST(meridian("generators two.obj -o loose.obj --no-tighten --longitudes arc --quiet").status == 0);
   BOOST_TEST(meridian("verify two.obj loose.obj").status == 0);
+  BOOST_TEST(meridian("generators two.obj -o open.obj --mode open --complex --curves o.obj --report o.json --quiet").status == 0);
+  BOOST_TEST(meridian("verify two.obj open.obj").status == 0);
+  BOOST_TEST(json("o.json")["components"][0]["field"]["mode"] == "open");
+  BOOST_TEST(contains(program::read(folder() / "o.obj"), "g flow_line_0"));
   BOOST_TEST(meridian("generators two.obj -o out.off").status == 64);
 }
 

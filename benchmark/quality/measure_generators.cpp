@@ -1,6 +1,7 @@
 // Measures generators. `measure_generators stability`: how far they move when a surface is sampled, numbered or disturbed
 // otherwise. `measure_generators lengths MESH...`: their lengths beside those of other constructions on the same mesh.
 #include "files/read_mesh.h"
+#include "instances.h"
 #include "support/implicit_surfaces.h"
 
 #include <meridian/assemble_result.h>

@@ -6,6 +6,8 @@
 #include "files/read_mesh.h"
 #include "files/write_mesh.h"
 
+#include "instances.h"
+
 #include <meridian/assemble_result.h>
 #include <meridian/verify_cut.h>
 

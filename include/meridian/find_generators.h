@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_FIND_GENERATORS_H
 #define MERIDIAN_FIND_GENERATORS_H
 
+#include <meridian/fill_boundary.h>
 #include <meridian/internal/find_crossing_loop.h>
 #include <meridian/internal/flow_loops.h>
 #include <meridian/internal/place_normal_curves.h>
@@ -19,6 +20,7 @@ namespace meridian {
 struct Generator_options : Field_options
 {
   Preference preference = preference::gaussian_curvature;
+  bool is_open = false; ///< whether the field's boundary is free, so that level lines may end there
   bool keep_complex = false; ///< whether the quasi Morse-Smale complex of the field is kept
   bool flow = true;    ///< whether longitudes are sought among flow lines first
   bool tighten = true; ///< whether the curves are shortened within their classes
@@ -100,6 +102,7 @@ struct Generators : Field_summary
   int saddle_connections = 0;        ///< how many do
   std::vector<std::vector<Point>> complex_lines; ///< the flow lines of the field, from saddle to critical point, if asked for
   int genus = 0, boundary_loops = 0;
+  int arcs = 0, loops = 0;           ///< with a free boundary: the meridians' level lines that end on it, and those that do not
   double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
   Stage_times seconds;
 };
@@ -107,10 +110,8 @@ struct Generators : Field_summary
 namespace internal {
 
 // Contours as curves 2i of a system, in the order that the levels give them.
-inline void add_contours(const Triangle_surface& root, const Ordered_surface& m, const std::vector<const Contour*>& contours,
-                         Normal_curves& curves)
+inline void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& curves)
 {
-  const auto all = project_crossings(root, m, contours);
   struct Place { std::size_t curve, position; };
   std::vector<Place> places;
   for (std::size_t c = 0; c < all.size(); ++c)
@@ -390,11 +391,17 @@ inline Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curv
   return best;
 }
 
+// A vertex of a filled surface, or the surface's vertex next to it.
+inline Index nearest_on_surface(const Triangle_surface& root, const Filled_surface* filled, Index v)
+{ return v < root.number_of_vertices() ? v : filled->surface.target(filled->surface.outgoing[v]); }
+
 // Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the second may be -1. If
-// `crossings` is given, only the edges that the curves cross are written to it.
+// `crossings` is given, only the edges that the curves cross are written to it. If
+// `filled` is given, `m` orders that surface.
 template <class SymmetricTraits, class GeneralTraits>
 std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
-                                                     const Stage_runner& run, Generators& g, std::vector<std::vector<Passing>>* crossings = nullptr)
+                                                     const Stage_runner& run, Generators& g, std::vector<std::vector<Passing>>* crossings = nullptr,
+                                                     const Filled_surface* filled = nullptr)
 {
   std::vector<std::pair<Index, Index>> saddles;
   static_cast<Field_summary&>(g) = summarize_field(root, m);
@@ -402,13 +409,13 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
   run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
   Normal_curves curves(root, 2 * g.genus);
   run(Stage::MERIDIANS, [&] {
-    find_meridians(root, m, g.genus, options.preference, search);
-    add_contours(root, m, search.chosen(), curves);
+    find_meridians(filled ? filled->surface : root, m, g.genus, options.preference, search);
+    add_contours(filled ? project_from_filled(root, *filled, m, search.chosen(), g.arcs, g.loops) : project_crossings(root, m, search.chosen()), curves);
     g.pairs.resize(g.genus);
     for (int i = 0; i < g.genus; ++i)
     {
       const std::size_t loop = search.choices[i].loop;
-      g.pairs[i].meridian.saddle = search.candidates[loop].saddle;
+      g.pairs[i].meridian.saddle = nearest_on_surface(root, filled, search.candidates[loop].saddle);
       g.pairs[i].meridian.method = Curve_method::CONTOUR;
       saddles.emplace_back(search.loops[loop].saddle, -1);
     }
@@ -426,13 +433,13 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
   });
   run(Stage::LONGITUDES, [&] {
     std::unique_ptr<Flow_longitudes<SymmetricTraits, GeneralTraits>> flow;
-    if (options.flow) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles); }
+    if (options.flow && !filled) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles); }
     add_shortest_longitudes(curves, g.genus, run, [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
     check_contract(curves);
     for (int i = 0; i < g.genus; ++i)
     {
       saddles[i].second = find_far_saddle(m, curves, 2 * i + 1, saddles[i].first);
-      if (saddles[i].second >= 0 && g.pairs[i].longitude.saddle < 0) { g.pairs[i].longitude.saddle = root_vertex(root, m.surface, saddles[i].second); }
+      if (saddles[i].second >= 0 && g.pairs[i].longitude.saddle < 0) { g.pairs[i].longitude.saddle = nearest_on_surface(root, filled, root_vertex(filled ? filled->surface : root, m.surface, saddles[i].second)); }
     }
   });
   for (int i = 0; i < g.genus; ++i)
@@ -488,7 +495,10 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
  *
  * Meridians are contours of a harmonic field, chosen as for a cut. A longitude is the shortest way from one side of its
  * meridian to the other that crosses no other curve, and back along it; the shortest are taken first. One always exists: cutting
- * along disjoint meridians and arcs that join their two sides leaves the surface connected. Then all curves are tightened.
+ * along disjoint meridians and arcs that join their two sides leaves the surface connected. Then all curves are tightened. If flow
+ * lines are wanted, they are looked for first.
+ *
+ * With a free boundary, level lines may be arcs; one that is part of a meridian is closed along the boundary loops it ends on.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
  *         mean-value weights
@@ -516,8 +526,17 @@ Generators find_generators(const Triangle_surface& root, const Generator_options
   g.surface = Refined_surface(root);
   if (g.genus > 0)
   {
-    const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, options, run);
-    internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, g);
+    if (options.is_open && g.boundary_loops > 0)
+    {
+      const Filled_surface filled = fill_boundary(root);
+      const Ordered_surface m = order_with_free_boundary<SymmetricTraits, GeneralTraits>(filled, options, run);
+      internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, g, nullptr, &filled);
+    }
+    else
+    {
+      const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, options, run);
+      internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, g);
+    }
   }
   g.smallest_angle_after = smallest_angle(g.surface);
   return g;

@@ -47,7 +47,9 @@
   const paints = [curves(data.flow, 0x2f7d3b, 2), curves(data.meridians, 0xd3202a, 4), curves(data.others, 0x1535b8, 4)].filter(function (p) { return p; });
 
   const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
-  camera.position.set(1.5, 1.1, 2.8);
+  let radius = 0;
+  for (let i = 0; i < positions.length; i += 3) radius = Math.max(radius, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));
+  camera.position.set(1.5, 1.1, 2.8).setLength(2.95 * radius);
   const light = new THREE.DirectionalLight(0xffffff, 0.55);
   camera.add(light);
   scene.add(camera);

@@ -1,5 +1,7 @@
 #include "pipeline.h"
 
+#include "instances.h"
+
 #include <meridian/classify_generators.h>
 
 namespace pipeline {

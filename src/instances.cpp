@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "instances.h"
+
+namespace meridian {
+
+template Disc_cut cut_to_disc<>(const Triangle_surface&, const Cut_options&);
+template Generators find_generators<>(const Triangle_surface&, const Generator_options&);
+template Homology_basis find_shortest_basis<>(const Triangle_surface&, const Basis_options&);
+
+} // namespace meridian
