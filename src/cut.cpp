@@ -92,15 +92,9 @@ int run_cut(const Cut_arguments& arguments)
   Terminal terminal(arguments.quiet);
   const auto now = [] { return std::chrono::steady_clock::now(); };
   const auto since = [&](auto begin) { return std::chrono::duration<double>(now() - begin).count(); };
-  auto begin = now();
-  const Polygon_soup soup = files::read_mesh(arguments.mesh);
-  const double seconds_reading = since(begin);
-  heed_interrupts();
-
-  begin = now();
-  const Examination examination = examine_surface(soup, arguments.repair);
-  const double seconds_examining = since(begin);
-  check_vertices(arguments, examination);
+  const Loaded_mesh loaded = load_mesh(arguments);
+  const Polygon_soup& soup = loaded.soup;
+  const Examination& examination = loaded.examination;
   if (arguments.has_source) { check_vertex("--source", arguments.source, examination); }
   std::vector<Disc_cut> cuts;
   std::vector<Cut_options> options;
@@ -112,9 +106,9 @@ int run_cut(const Cut_arguments& arguments)
   for (std::size_t i = 0; i < examination.components.size(); ++i)
   {
     terminal.begin_component(i, examination.components.size());
-    cuts.push_back(cut_to_disc(examination.components[i].surface, options.back()));
+    cuts.push_back(cut_to_disc(examination.components[i].surface, options[i]));
   }
-  begin = now();
+  auto begin = now();
   const Assembled_result assembled = assemble_result(soup, examination, cuts);
   const double seconds_assembling = since(begin);
   terminal.stage_started(Stage::VERIFY);
@@ -133,7 +127,7 @@ int run_cut(const Cut_arguments& arguments)
     loops += cuts[i].boundary_loops;
   }
   const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, soup, examination)}, {"components", components},
-                    {"seconds", {{"read", seconds_reading}, {"examine", seconds_examining}, {"assemble", seconds_assembling}, {"verify", seconds_verifying}}},
+                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", seconds_assembling}, {"verify", seconds_verifying}}},
                     {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field_arguments.h"
+#include "files/read_mesh.h"
 #include "files/write_mesh.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <set>
 
@@ -26,10 +28,20 @@ void check_vertex(const char* option, Index v, const Examination& examination)
   throw Usage_error(std::string(option) + ": no face of the mesh has a vertex " + std::to_string(v) + "; vertices are counted from 0");
 }
 
-void check_vertices(const Field_arguments& a, const Examination& examination)
+Loaded_mesh load_mesh(const Field_arguments& a)
 {
-  for (Index v : a.minima) { check_vertex("--minimum", v, examination); }
-  for (Index v : a.maxima) { check_vertex("--maximum", v, examination); }
+  Loaded_mesh loaded;
+  const auto timed = [](const auto& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  loaded.seconds_reading = timed([&] { loaded.soup = files::read_mesh(a.mesh); });
+  heed_interrupts();
+  loaded.seconds_examining = timed([&] { loaded.examination = examine_surface(loaded.soup, a.repair); });
+  for (Index v : a.minima) { check_vertex("--minimum", v, loaded.examination); }
+  for (Index v : a.maxima) { check_vertex("--maximum", v, loaded.examination); }
+  return loaded;
 }
 
 std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& c)

@@ -12,9 +12,19 @@ namespace program {
 // Throws Usage_error if two outputs go to one file, or one to the input, or if options do not go together.
 void check_arguments(const Field_arguments& arguments);
 
-// Throws Usage_error if no face of the mesh has a vertex that an option names.
+// Throws Usage_error if no face of the mesh has the vertex that an option names.
 void check_vertex(const char* option, Index vertex, const Examination& examination);
-void check_vertices(const Field_arguments& arguments, const Examination& examination);
+
+// The mesh as it was read, and what it is.
+struct Loaded_mesh
+{
+  Polygon_soup soup;
+  Examination examination;
+  double seconds_reading, seconds_examining;
+};
+
+// Reads and examines the mesh, and checks the vertices that options name. Signals are heeded once it is read.
+Loaded_mesh load_mesh(const Field_arguments& arguments);
 
 // Those of the vertices of the file that lie on a component, in its numbers.
 std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& component);

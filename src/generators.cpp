@@ -123,17 +123,9 @@ int run_generators(const Generator_arguments& arguments)
   if (files::format_of(arguments.out) != "obj") { throw Usage_error(arguments.out + ": generators are written as OBJ, with a line element for each curve"); }
   check_arguments(arguments);
   Terminal terminal(arguments.quiet);
-  const auto now = [] { return std::chrono::steady_clock::now(); };
-  const auto since = [&](auto begin) { return std::chrono::duration<double>(now() - begin).count(); };
-  auto begin = now();
-  const Polygon_soup soup = files::read_mesh(arguments.mesh);
-  const double seconds_reading = since(begin);
-  heed_interrupts();
-
-  begin = now();
-  const Examination examination = examine_surface(soup, arguments.repair);
-  const double seconds_examining = since(begin);
-  check_vertices(arguments, examination);
+  const Loaded_mesh loaded = load_mesh(arguments);
+  const Polygon_soup& soup = loaded.soup;
+  const Examination& examination = loaded.examination;
   Json components = Json::array();
   Outcome outcome;
   std::string summary, view;
@@ -199,7 +191,7 @@ int run_generators(const Generator_arguments& arguments)
   }
   const Generator_verification& verification = outcome.verification;
   const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, soup, examination)}, {"components", components},
-                    {"seconds", {{"read", seconds_reading}, {"examine", seconds_examining}, {"verify", outcome.seconds_verifying}}},
+                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"verify", outcome.seconds_verifying}}},
                     {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;

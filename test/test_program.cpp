@@ -127,6 +127,25 @@ BOOST_FIXTURE_TEST_CASE(generators_are_written_reported_and_verified_from_their_
   BOOST_TEST(meridian("generators two.obj -o out.off").status == 64);
 }
 
+BOOST_FIXTURE_TEST_CASE(every_component_has_its_own_extrema, Fixture)
+{
+  const Triangle_surface a = sample::torus(12, 8), b = sample::torus(14, 9);
+  Triangle_surface both = a;
+  for (const Point& p : b.points) { both.points.push_back({p[0] + 10, p[1], p[2]}); }
+  const Index first = a.number_of_vertices();
+  for (const auto& t : b.triangles) { both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first}); }
+  write("both.obj", obj(both));
+  const auto lengths = [&](const std::string& options) {
+    BOOST_REQUIRE(meridian("cut both.obj -o x.off --report r.json --quiet" + options).status == 0);
+    const auto report = json("r.json");
+    return std::pair(report["components"][0]["cut"]["length"].get<double>(), report["components"][1]["cut"]["length"].get<double>());
+  };
+  // Extrema beside each other on the first component change its cut, and not the other's.
+  const auto by_default = lengths(""), chosen = lengths(" --minimum 0 --maximum 1");
+  BOOST_TEST(chosen.first != by_default.first);
+  BOOST_TEST(chosen.second == by_default.second);
+}
+
 BOOST_FIXTURE_TEST_CASE(every_method_of_a_cut_is_verified, Fixture)
 {
   for (const char* method : {"generators", "generators --join complex", "generators --join saddles", "morse"})
