@@ -127,6 +127,31 @@ BOOST_FIXTURE_TEST_CASE(generators_are_written_reported_and_verified_from_their_
   BOOST_TEST(meridian("generators two.obj -o out.off").status == 64);
 }
 
+BOOST_FIXTURE_TEST_CASE(nested_and_linked_tori_have_the_classes_of_one, Fixture)
+{
+  const auto joined = [](const Triangle_surface& a, const Triangle_surface& b) {
+    Triangle_surface both = a;
+    both.points.insert(both.points.end(), b.points.begin(), b.points.end());
+    const Index first = a.number_of_vertices();
+    for (const auto& t : b.triangles) { both.triangles.push_back({t[0] + first, t[1] + first, t[2] + first}); }
+    return both;
+  };
+  Triangle_surface link = sample::rotated(sample::torus(24, 12), sample::pi / 2, 0); // through the hole of the other
+  for (Point& p : link.points) { p[0] += 3; }
+  for (const Triangle_surface& s : {joined(sample::torus(24, 12), sample::torus(24, 12, 3, 0.4)), joined(sample::torus(24, 12), link)})
+  {
+    write("two.obj", obj(s));
+    BOOST_TEST(meridian("generators two.obj -o out.obj --report r.json --quiet").status == 0);
+    const auto report = json("r.json");
+    BOOST_TEST(report["components"].size() == 2u);
+    for (const auto& component : report["components"])
+    {
+      BOOST_TEST(component["generators"][0]["meridian"]["class"] == "handle");
+      BOOST_TEST(component["generators"][0]["longitude"]["class"] == "tunnel");
+    }
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(every_component_has_its_own_extrema, Fixture)
 {
   const Triangle_surface a = sample::torus(12, 8), b = sample::torus(14, 9);

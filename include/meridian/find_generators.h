@@ -110,7 +110,7 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
   });
   run(Stage::LONGITUDES, [&] {
     std::unique_ptr<Flow_longitudes<SymmetricTraits, GeneralTraits>> flow;
-    if (options.flow && !filled) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles); }
+    if (options.flow && !filled) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles, options.tighten ? 1.02 : 1.25); }
     add_shortest_longitudes(curves, g.genus, run, [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
     check_contract(curves);
     for (int i = 0; i < g.genus; ++i)

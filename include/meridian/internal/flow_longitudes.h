@@ -16,9 +16,10 @@ template <class SymmetricTraits, class GeneralTraits>
 class Flow_longitudes
 {
 public:
-  // `saddles`: of each pair's meridian, in `m.surface`.
-  Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, const Morse_complex& complex, Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles)
-    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_critical(find_critical_points(m.surface, m.rank))
+  // `saddles`: of each pair's meridian, in `m.surface`. `longer`: than the arc a loop may be, by this factor.
+  Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, const Morse_complex& complex, Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles,
+                  double longer)
+    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_longer(longer), m_critical(find_critical_points(m.surface, m.rank))
   {
     if (static_cast<int>(saddles.size()) > few) { return; }
     m_fields = std::make_unique<Two_point_fields<SymmetricTraits>>(root);
@@ -53,7 +54,6 @@ public:
 
 private:
   static constexpr int few = 8;            // handles for which fields are solved on the whole surface
-  static constexpr double longer = 1.25;   // than the arc, at most
   static constexpr double reach = 0.3;     // of a patch, in lengths of the arc
   static constexpr std::size_t share = 4;  // of all patches together, in faces of the surface, at most
 
@@ -108,7 +108,7 @@ private:
   {
     for (const Flow_loop& loop : loops)
     {
-      if (loop.length > longer * arc.length) { return false; }
+      if (loop.length > m_longer * arc.length) { return false; }
       if (!try_loop(m_curves, 2 * i + 1, loop.steps)) { continue; }
       pair.longitude.method = Curve_method::FLOW;
       pair.longitude.was_flow = true;
@@ -126,6 +126,7 @@ private:
   Normal_curves& m_curves;
   const std::vector<std::pair<Index, Index>>& m_saddles;
   const Morse_complex& m_complex;
+  double m_longer; // than the arc a loop may be, by this factor
   std::vector<Critical_point> m_critical;
   std::unique_ptr<Two_point_fields<SymmetricTraits>> m_fields; // on the whole surface
   Surface_patch m_whole;
