@@ -4,6 +4,7 @@
 
 #include <meridian/Refined_surface.h>
 #include <meridian/internal/tree_cotree.h>
+#include <meridian/order_surface.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
@@ -20,15 +21,10 @@ namespace internal {
 // A curve on a refined surface, pushed to the nearest corners of the faces of the root: a closed walk of its halfedges.
 inline std::vector<Index> walk_on_root(const Triangle_surface& root, const Refined_surface& s, const std::vector<Index>& loop)
 {
-  const auto corner = [&](Index v) {
-    const Origin o = s.origin(v);
-    if (o.kind == Origin::FACE) { return root.triangles[o.index[0]][std::max_element(o.weight.begin(), o.weight.end()) - o.weight.begin()]; }
-    return o.kind == Origin::EDGE && o.weight[0] > 0.5 ? o.index[1] : o.index[0];
-  };
   std::vector<Index> walk;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
-    const Index v = loop[i], w = loop[(i + 1) % loop.size()], a = corner(v), b = corner(w);
+    const Index v = loop[i], w = loop[(i + 1) % loop.size()], a = root_vertex(root, s, v), b = root_vertex(root, s, w);
     if (a == b) { continue; }
     Index h = s.find_halfedge(v, w);
     const Index f = s.face_of[s.face(h >= 0 ? h : s.find_halfedge(w, v))];
