@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the Debian packages that are missing. With "test", those of the tests too.
 set -e
-packages="g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas0-serial libcli11-dev
+packages="g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libspectra-dev libsuitesparse-dev libopenblas0-serial libcli11-dev
   nlohmann-json3-dev libpugixml-dev zlib1g-dev libjs-three"
 [ "$1" != test ] || packages="$packages libboost-test-dev libbenchmark-dev chromium doxygen"
 missing=

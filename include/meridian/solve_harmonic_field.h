@@ -27,7 +27,8 @@ struct Dirichlet_value { Index node; double value; };
  *         weights are mean-value
  * \param s the surface
  * \param g its closed model
- * \param weights one a halfedge, as made by `edge_weights()`
+ * \param joined the same nodes with the edges of the system: `g`, or an intrinsic triangulation
+ * \param weights those `joined.halfedge` refers to
  * \param prescribed the values; each node at most once
  *
  * \returns the field
@@ -38,8 +39,8 @@ struct Dirichlet_value { Index node; double value; };
  * One assembly and one factorization, \f$ O(n^{1.5}) \f$ for a surface mesh; flat regions add one of their own size each.
  */
 template <class SolverTraits = Symmetric_solver_traits>
-Scalar_field solve_harmonic_field(const Triangle_surface& s, const Node_graph& g, const std::vector<double>& weights,
-                                  const std::vector<Dirichlet_value>& prescribed)
+Scalar_field solve_harmonic_field(const Triangle_surface& s, const Node_graph& g, const Node_graph& joined,
+                                  const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed)
 {
   Scalar_field field(g.number_of_nodes);
   std::vector<char> is_prescribed(g.number_of_nodes, 0);
@@ -58,11 +59,18 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Node_graph& g
 
   std::vector<Index> unknown;
   for (Index a = 0; a < g.number_of_nodes; ++a) { if (!is_prescribed[a]) { unknown.push_back(a); } }
-  internal::Laplace_system<SolverTraits> system(g, weights);
+  internal::Laplace_system<SolverTraits> system(joined, weights);
   system.solve(unknown, [&](Index a) { return field.value[a]; }, field.value);
   if (highest > lowest) { internal::solve_flat_regions(s, g, system, unknown, field); }
   return field;
 }
+
+/// \ingroup PkgMeridianOrder
+/// the same with the edges of the surface and weights as made by `edge_weights()`, one a halfedge
+template <class SolverTraits = Symmetric_solver_traits>
+Scalar_field solve_harmonic_field(const Triangle_surface& s, const Node_graph& g, const std::vector<double>& weights,
+                                  const std::vector<Dirichlet_value>& prescribed)
+{ return solve_harmonic_field<SolverTraits>(s, g, g, weights, prescribed); }
 
 } // namespace meridian
 

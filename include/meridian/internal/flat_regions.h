@@ -37,11 +37,13 @@ inline Index characteristic_around(const Triangle_surface& s, const Node_graph& 
 }
 
 // Solves again, in a scale of its own, wherever the field is flat to rounding and the flat region is not a disc.
-// Values of a region lie in [-1, 1]; a node is flat if no neighbour differs by more than `flat`.
+// Values of a region lie in [-1, 1]; a node is flat if no neighbour differs by more than `flat`. Neighbours are those of the
+// system, which may join the nodes by other edges than the surface does.
 template <class System>
 void solve_flat_regions(const Triangle_surface& s, const Node_graph& g, System& system, std::vector<Index> nodes,
                         Scalar_field& field)
 {
+  const Node_graph& joined = system.graph();
   constexpr double flat = 1e-11; // far above the rounding of the solution, far below what draws a smooth contour
   std::vector<std::pair<Index, std::vector<Index>>> open; // a region and its nodes
   open.emplace_back(0, std::move(nodes));
@@ -55,8 +57,8 @@ void solve_flat_regions(const Triangle_surface& s, const Node_graph& g, System& 
     {
       const double x = field.value[a];
       bool is_flat = true;
-      for (Index i = g.begin[a]; i < g.begin[a + 1] && is_flat; ++i)
-        is_flat = std::abs(field.value_in(region, g.neighbor[i]) - x) <= flat;
+      for (Index i = joined.begin[a]; i < joined.begin[a + 1] && is_flat; ++i)
+        is_flat = std::abs(field.value_in(region, joined.neighbor[i]) - x) <= flat;
       if (is_flat)
       {
         flats.push_back(a);
@@ -69,17 +71,17 @@ void solve_flat_regions(const Triangle_surface& s, const Node_graph& g, System& 
       std::vector<Index> part{seed}, rim;
       mark[seed] = -1;
       for (std::size_t i = 0; i < part.size(); ++i)
-        for (Index e = g.begin[part[i]]; e < g.begin[part[i] + 1]; ++e)
-          if (mark[g.neighbor[e]] == region)
+        for (Index e = joined.begin[part[i]]; e < joined.begin[part[i] + 1]; ++e)
+          if (mark[joined.neighbor[e]] == region)
           {
-            mark[g.neighbor[e]] = -1;
-            part.push_back(g.neighbor[e]);
+            mark[joined.neighbor[e]] = -1;
+            part.push_back(joined.neighbor[e]);
           }
       if (part.size() == inside.size() || characteristic_around(s, g, part) == 1) { continue; }
       std::sort(part.begin(), part.end());
       for (Index a : part)
-        for (Index e = g.begin[a]; e < g.begin[a + 1]; ++e)
-          if (!std::binary_search(part.begin(), part.end(), g.neighbor[e])) { rim.push_back(g.neighbor[e]); }
+        for (Index e = joined.begin[a]; e < joined.begin[a + 1]; ++e)
+          if (!std::binary_search(part.begin(), part.end(), joined.neighbor[e])) { rim.push_back(joined.neighbor[e]); }
       std::sort(rim.begin(), rim.end());
       rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
       if (rim.empty()) { continue; }

@@ -18,6 +18,8 @@ public:
   Laplace_system(const Node_graph& graph, const std::vector<double>& weights)
     : m_graph(graph), m_weights(weights), m_row(graph.number_of_nodes, -1) {}
 
+  const Node_graph& graph() const { return m_graph; }
+
   // Writes the solution at the nodes `unknown` to `x`; `known(a)` is the value at any other node next to them.
   template <class Known>
   void solve(const std::vector<Index>& unknown, const Known& known, std::vector<double>& x)
