@@ -31,8 +31,11 @@ struct Field_arguments : Common_arguments
 {
   std::string mesh, out, view, curves;
   std::vector<Index> minima, maxima; // vertices of the file
-  bool has_direction = false;
-  std::string weights = "positive", prefer = "gaussian-curvature";
+  bool has_direction = false, has_from = false, has_extrema = false;
+  std::string weights = "positive", field = "harmonic", values, extrema = "distant";
+  int eigenfunction = 0; // 0: the genus + 1
+  Index from = 0;        // where distances begin, or the loops of tree-cotree
+  std::string prefer = "gaussian-curvature", vertex_weights, levels = "saddle";
   std::vector<double> direction{0, 0, 1};
 };
 
@@ -42,6 +45,10 @@ struct Cut_arguments : Field_arguments
   bool has_source = false;
   std::string method = "contours", join = "surface", links = "surface";
   bool bifurcations = false;
+  std::string tighten = "curves";
+  bool on_edges = false, refine_where_needed = false;
+  int bases = 16;
+  int family = 0; // how many cuts; 0: one, as chosen
 };
 
 struct Generator_arguments : Field_arguments
@@ -54,6 +61,7 @@ struct Verify_arguments : Common_arguments { std::string mesh, result; };
 
 int run_info(const Info_arguments& arguments);
 int run_cut(const Cut_arguments& arguments);
+int run_family(const Cut_arguments& arguments);
 int run_generators(const Generator_arguments& arguments);
 int run_verify(const Verify_arguments& arguments);
 

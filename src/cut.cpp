@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Terminal.h"
-#include "field_arguments.h"
-#include "files/Output_files.h"
+#include "cut.h"
+
 #include "files/write_mesh.h"
 #include "instances.h"
 #include "page/format_page.h"
-#include "report.h"
-
-#include <meridian/assemble_result.h>
 
 #include <chrono>
 #include <iostream>
@@ -18,23 +14,34 @@ namespace program {
 
 namespace {
 
+double since(std::chrono::steady_clock::time_point begin) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); }
+
 // The options for one component.
-Cut_options options_for(const Cut_arguments& a, const Surface_component& c, std::size_t place)
+Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::size_t place)
 {
+  const Surface_component& c = loaded.examination.components[place];
   Cut_options o;
-  set_field_options(a, c, place, o, o.preference);
-  o.method = a.method == "generators" ? Cut_method::GENERATORS : a.method == "morse" ? Cut_method::MORSE : Cut_method::CONTOURS;
+  set_field_options(a, loaded, place, o, o.preference, o.levels);
+  for (Cut_method method : {Cut_method::CONTOURS, Cut_method::GENERATORS, Cut_method::MORSE, Cut_method::GEODESIC, Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE}) { if (a.method == name_of(method)) { o.method = method; } }
   o.join = a.join == "complex" ? Generator_join::COMPLEX : a.join == "saddles" ? Generator_join::SADDLES : Generator_join::SURFACE;
+  o.tightening = a.tighten == "no" ? Tightening::NONE : a.tighten == "graph" ? Tightening::GRAPH : Tightening::CURVES;
+  o.on_edges = a.on_edges;
+  o.refine_where_needed = a.refine_where_needed;
+  o.bases = a.bases;
   o.link_domain = a.links == "plane" ? Link_domain::PLANE : Link_domain::SURFACE;
   o.links.bifurcations = a.bifurcations;
-  const auto source = a.has_source ? find_local({a.source}, c) : std::vector<Index>();
-  o.links.source = source.empty() ? -1 : source.front();
+  const auto local = [&](bool is_given, Index v) {
+    const auto found = is_given ? find_local({v}, c) : std::vector<Index>();
+    return found.empty() ? -1 : found.front();
+  };
+  o.links.source = local(a.has_source, a.source);
+  o.source = local(a.has_from, a.from);
   return o;
 }
 
 std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
 {
-  std::vector<Result_curve> meridians, longitudes, lines, links, boundaries;
+  std::vector<Result_curve> meridians, longitudes, lines, links, paths, boundaries;
   const auto add = [&](std::vector<Result_curve>& curves, const char* kind, const std::vector<Index>& path, std::size_t component, bool closed) {
     Result_curve c{kind + ("_" + std::to_string(curves.size())), {}, {}};
     for (Index v : path) { c.points.push_back(assembled.place[component][v]); }
@@ -47,6 +54,7 @@ std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const A
     for (const auto& l : cuts[i].longitudes) { add(longitudes, "longitude", l, i, true); }
     for (const auto& l : cuts[i].flow_lines) { add(lines, "flow_line", l, i, false); }
     for (const auto& l : cuts[i].links) { add(links, "link", l, i, false); }
+    for (const auto& p : cuts[i].paths) { add(paths, "path", p, i, false); }
     for (const auto& loop : boundary_loops(cuts[i].surface))
     {
       std::vector<Index> path;
@@ -54,7 +62,7 @@ std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const A
       add(boundaries, "boundary", path, i, true);
     }
   }
-  for (const auto* more : {&longitudes, &lines, &links, &boundaries}) { meridians.insert(meridians.end(), more->begin(), more->end()); }
+  for (const auto* more : {&longitudes, &lines, &links, &paths, &boundaries}) { meridians.insert(meridians.end(), more->begin(), more->end()); }
   return meridians;
 }
 
@@ -71,6 +79,7 @@ std::string format_view(const std::string& title, const Examination& examination
     for (const auto& l : cuts[i].longitudes) { curves.push_back({page::Curve::MERIDIAN, i, l, true, "", {}}); }
     for (const auto& l : cuts[i].flow_lines) { curves.push_back({page::Curve::MERIDIAN, i, l, false, "", {}}); }
     for (const auto& l : cuts[i].links) { curves.push_back({page::Curve::OTHER, i, l, false, "", {}}); }
+    for (const auto& p : cuts[i].paths) { curves.push_back({page::Curve::OTHER, i, p, false, "", {}}); }
     genus += cuts[i].genus;
     loops += cuts[i].boundary_loops;
     length += examination.components[i].unit * cuts[i].length;
@@ -82,63 +91,88 @@ std::string format_view(const std::string& title, const Examination& examination
 
 } // namespace
 
-int run_cut(const Cut_arguments& arguments)
+void check_cut_arguments(const Cut_arguments& a)
 {
-  files::check_writable_format(arguments.out);
-  check_arguments(arguments);
-  if (arguments.method != "contours" && arguments.links == "plane") { throw Usage_error("--links plane goes with --method contours"); }
-  if (arguments.method != "generators" && arguments.join != "surface") { throw Usage_error("--join goes with --method generators"); }
-  if (arguments.links == "plane" && arguments.bifurcations) { throw Usage_error("--bifurcations is for links on the surface; leave out --links plane"); }
-  Terminal terminal(arguments.quiet);
-  const auto now = [] { return std::chrono::steady_clock::now(); };
-  const auto since = [&](auto begin) { return std::chrono::duration<double>(now() - begin).count(); };
-  const Loaded_mesh loaded = load_mesh(arguments);
-  const Polygon_soup& soup = loaded.soup;
-  const Examination& examination = loaded.examination;
-  if (arguments.has_source) { check_vertex("--source", arguments.source, examination); }
-  std::vector<Disc_cut> cuts;
+  files::check_writable_format(a.out);
+  check_arguments(a);
+  const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
+  const bool is_of_edges = a.method == "tree-cotree" || a.method == "geometry-image", has_field = !a.values.empty() || a.field != "harmonic";
+  forbid((a.method != "contours" && a.method != "geodesic") && a.links == "plane", "--links plane goes with --method contours or geodesic");
+  forbid(a.method != "generators" && a.join != "surface", "--join goes with --method generators");
+  forbid(a.links == "plane" && (a.bifurcations || a.on_edges), "--links plane goes without --bifurcations and --on-edges");
+  forbid(a.refine_where_needed && !a.on_edges, "--refine-where-needed goes with --on-edges");
+  forbid(a.refine_where_needed && a.tighten == "graph", "--refine-where-needed goes without --tighten graph");
+  forbid((is_of_edges || a.method == "geodesic") && has_field, "this --method has a field of its own or none; leave out --field and --values");
+  forbid(a.has_from && a.method != "geodesic" && a.method != "tree-cotree" && a.field != "distance", "--from goes with --method geodesic or tree-cotree, or with --field distance");
+  forbid(is_of_edges && (!a.minima.empty() || !a.maxima.empty() || a.has_source || a.bifurcations), "methods that cut edges have no field and no links");
+  forbid(a.has_source && a.tighten == "graph", "--source goes without --tighten graph, which would move the links away from it");
+}
+
+std::vector<Cut_options> cut_options(const Cut_arguments& arguments, const Loaded_mesh& loaded, Terminal& terminal)
+{
+  if (arguments.has_source) { check_vertex("--source", arguments.source, loaded.examination); }
   std::vector<Cut_options> options;
-  for (std::size_t i = 0; i < examination.components.size(); ++i)
+  for (std::size_t i = 0; i < loaded.examination.components.size(); ++i)
   {
-    options.push_back(options_for(arguments, examination.components[i], i));
+    options.push_back(options_for(arguments, loaded, i));
     options.back().observer = &terminal;
   }
+  return options;
+}
+
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal)
+{
+  Cut_result r;
+  r.cuts = std::move(cuts);
+  auto begin = std::chrono::steady_clock::now();
+  r.assembled = assemble_result(loaded.soup, loaded.examination, r.cuts);
+  r.seconds_assembling = since(begin);
+  terminal.stage_started(Stage::VERIFY);
+  begin = std::chrono::steady_clock::now();
+  r.verification = verify_cut(loaded.soup, r.assembled.mesh);
+  r.seconds_verifying = since(begin);
+  for (std::size_t i = 0; i < r.cuts.size(); ++i)
+  {
+    const Surface_component& c = loaded.examination.components[i];
+    r.components.push_back(report_cut(r.cuts[i], c, r.verification.components[i], options[i]));
+    r.length += c.unit * r.cuts[i].length;
+    r.genus += r.cuts[i].genus;
+    r.loops += r.cuts[i].boundary_loops;
+  }
+  return r;
+}
+
+void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded, const Cut_result& result)
+{
+  const Result_mesh& mesh = result.assembled.mesh;
+  out.add(arguments.out, files::format_mesh(arguments.out, mesh));
+  out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::CUT));
+  if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled))); }
+  if (!arguments.view.empty()) { out.add(arguments.view, format_view(arguments.mesh, loaded.examination, result.cuts, result.assembled)); }
+}
+
+int run_cut(const Cut_arguments& arguments)
+{
+  check_cut_arguments(arguments);
+  Terminal terminal(arguments.quiet);
+  const Loaded_mesh loaded = load_mesh(arguments);
+  const Examination& examination = loaded.examination;
+  const std::vector<Cut_options> options = cut_options(arguments, loaded, terminal);
+  std::vector<Disc_cut> found;
   for (std::size_t i = 0; i < examination.components.size(); ++i)
   {
     terminal.begin_component(i, examination.components.size());
-    cuts.push_back(cut_to_disc(examination.components[i].surface, options[i]));
+    found.push_back(cut_to_disc(examination.components[i].surface, options[i]));
   }
-  auto begin = now();
-  const Assembled_result assembled = assemble_result(soup, examination, cuts);
-  const double seconds_assembling = since(begin);
-  terminal.stage_started(Stage::VERIFY);
-  begin = now();
-  const Verification verification = verify_cut(soup, assembled.mesh);
-  const double seconds_verifying = since(begin);
-
-  Json components = Json::array();
-  double length = 0;
-  int genus = 0, loops = 0;
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-  {
-    components.push_back(report_cut(cuts[i], examination.components[i], verification.components[i], options[i]));
-    length += examination.components[i].unit * cuts[i].length;
-    genus += cuts[i].genus;
-    loops += cuts[i].boundary_loops;
-  }
-  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, soup, examination)}, {"components", components},
-                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", seconds_assembling}, {"verify", seconds_verifying}}},
+  const Cut_result result = conclude_cut(loaded, std::move(found), options, terminal);
+  const Verification& verification = result.verification;
+  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, examination)}, {"components", result.components},
+                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", result.seconds_assembling}, {"verify", result.seconds_verifying}}},
                     {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
-  if (verification)
-  {
-    out.add(arguments.out, files::format_mesh(arguments.out, assembled.mesh));
-    out.add(files::map_path(arguments.out), files::format_map(assembled.mesh, files::Result_kind::CUT));
-    if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(assembled.mesh.points, name_curves(cuts, assembled))); }
-    if (!arguments.view.empty()) { out.add(arguments.view, format_view(arguments.mesh, examination, cuts, assembled)); }
-  }
+  if (verification) { add_cut(out, arguments, loaded, result); }
   if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
   out.commit();
   terminal.clear();
@@ -147,11 +181,11 @@ int run_cut(const Cut_arguments& arguments)
   if (!arguments.quiet)
   {
     for (const std::string& repair : examination.repairs) { std::cout << "note: " << repair << '\n'; }
-    for (std::size_t i = 0; i < cuts.size(); ++i)
-      if (!cuts[i].link_note.empty()) { std::cout << "note: component " << i << ": links run on the surface, because " << cuts[i].link_note << '\n'; }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << cuts.size()
-              << (cuts.size() == 1 ? " component" : " components") << " (genus " << genus << ", boundary loops " << loops << "), each "
-              << (verification ? "now a disc" : "expected to be a disc") << "; cut length " << length << '\n';
+    for (std::size_t i = 0; i < result.cuts.size(); ++i)
+      if (!result.cuts[i].link_note.empty()) { std::cout << "note: component " << i << ": links run on the surface, because " << result.cuts[i].link_note << '\n'; }
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << result.cuts.size()
+              << (result.cuts.size() == 1 ? " component" : " components") << " (genus " << result.genus << ", boundary loops " << result.loops << "), each "
+              << (verification ? "now a disc" : "expected to be a disc") << "; cut length " << result.length << '\n';
   }
   return verification ? VERIFIED : NOT_VERIFIED;
 }

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field_arguments.h"
 #include "files/read_mesh.h"
+#include "files/read_values.h"
 #include "files/write_mesh.h"
+
+#include "instances.h"
+
+#include <meridian/visibility.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,7 +23,14 @@ void check_arguments(const Field_arguments& a)
   for (const std::string& path : {a.out, files::map_path(a.out), a.report, a.view, a.curves})
     if (!path.empty() && !places.insert(place(path)).second)
       throw Usage_error(path + " would be written twice, or over the mesh that is read; give every file a name of its own");
-  if (a.has_direction && a.prefer != "position") { throw Usage_error("--direction goes with --prefer position"); }
+  const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
+  const bool is_harmonic = a.values.empty() && a.field == "harmonic";
+  forbid(a.has_direction && a.prefer != "position" && a.prefer != "hidden", "--direction goes with --prefer position or hidden");
+  forbid((a.prefer == "weights") == a.vertex_weights.empty(), "--prefer weights and --vertex-weights go together");
+  forbid(!a.values.empty() && a.field != "harmonic", "--values is a field; leave out --field");
+  forbid(a.eigenfunction > 0 && a.field != "eigenfunction", "--eigenfunction goes with --field eigenfunction");
+  forbid(a.has_extrema && (!is_harmonic || !a.minima.empty() || !a.maxima.empty()), "--extrema is for harmonic fields, and without --minimum and --maximum");
+  forbid(a.weights == "mean-value" && (a.field == "eigenfunction" || a.extrema == "curved"), "eigenfunctions need symmetric weights; mean-value weights are not");
 }
 
 void check_vertex(const char* option, Index v, const Examination& examination)
@@ -41,6 +53,10 @@ Loaded_mesh load_mesh(const Field_arguments& a)
   loaded.seconds_examining = timed([&] { loaded.examination = examine_surface(loaded.soup, a.repair); });
   for (Index v : a.minima) { check_vertex("--minimum", v, loaded.examination); }
   for (Index v : a.maxima) { check_vertex("--maximum", v, loaded.examination); }
+  if (a.has_from) { check_vertex("--from", a.from, loaded.examination); }
+  const std::size_t n = loaded.soup.points.size();
+  if (!a.values.empty()) { loaded.values = files::read_values(a.values, n); }
+  if (!a.vertex_weights.empty()) { loaded.vertex_weights = files::read_values(a.vertex_weights, n); }
   return loaded;
 }
 
@@ -55,9 +71,10 @@ std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_
   return found;
 }
 
-void set_field_options(const Field_arguments& a, const Surface_component& c, std::size_t place, Field_options& field, Preference& preference)
+void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place, Field_options& field, Preference& preference, Levels& levels)
 {
-  field.weights = a.weights == "cotangent" ? Weights::COTANGENT : a.weights == "mean-value" ? Weights::MEAN_VALUE : Weights::POSITIVE;
+  const Surface_component& c = loaded.examination.components[place];
+  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT, Weights::INTRINSIC_DELAUNAY}) { if (a.weights == name_of(w)) { field.weights = w; } }
   field.minima = find_local(a.minima, c);
   field.maxima = find_local(a.maxima, c);
   if (c.genus() > 0 && field.minima.empty() != field.maxima.empty())
@@ -71,6 +88,41 @@ void set_field_options(const Field_arguments& a, const Surface_component& c, std
           throw Usage_error("--minimum " + std::to_string(c.vertex_of[v]) + " and --maximum " + std::to_string(c.vertex_of[w])
                             + (v == w ? " are one vertex" : " lie on one boundary loop, which is one place of the field") + "; choose them apart");
   }
+  const auto local = [&](const std::vector<double>& values) { // of the file's vertices, for those of the component
+    std::vector<double> own;
+    for (Index v : c.vertex_of)
+    {
+      const std::size_t n = values.size(), i = static_cast<std::size_t>(v);
+      own.push_back(values[i < n ? i : static_cast<std::size_t>(loaded.examination.added_vertex_of[i - n])]);
+    }
+    return own;
+  };
+  if (c.genus() > 0)
+  {
+    if (!a.values.empty()) { field.values = local(loaded.values); }
+    else if (a.field == "eigenfunction")
+    {
+      const int i = a.eigenfunction > 0 ? a.eigenfunction : c.genus() + 1;
+      field.values_name = "eigenfunction " + std::to_string(i);
+      field.values = eigenfunction_field(c.surface, i, field.weights);
+    }
+    else if (a.field == "distance")
+    {
+      const auto from = a.has_from ? find_local({a.from}, c) : std::vector<Index>();
+      const Node_graph g = make_node_graph(c.surface);
+      field.values_name = "distance";
+      field.values = geodesic_distance(c.surface, {from.empty() ? g.representative[find_distant_nodes(c.surface, g).first] : from.front()});
+    }
+    else if (a.extrema == "curved")
+    {
+      const auto [low, high] = find_curved_vertices(c.surface, 4, field.weights);
+      field.minima = {low};
+      field.maxima = {high};
+    }
+  }
+  if (a.levels == "tight") { levels = Levels::TIGHT; }
+  if (a.prefer == "hidden") { preference = preference::low_weight(visibility(c.surface, {a.direction[0], a.direction[1], a.direction[2]})); }
+  if (a.prefer == "weights") { preference = preference::low_weight(local(loaded.vertex_weights)); }
   if (a.prefer == "mean-curvature") { preference = preference::mean_curvature; }
   if (a.prefer == "length") { preference = preference::short_length; }
   if (a.prefer == "position") { preference = preference::position({a.direction[0], a.direction[1], a.direction[2]}); }

@@ -20,6 +20,7 @@ struct Loaded_mesh
 {
   Polygon_soup soup;
   Examination examination;
+  std::vector<double> values, vertex_weights; // one a vertex of the file, if options name them
   double seconds_reading, seconds_examining;
 };
 
@@ -30,8 +31,9 @@ Loaded_mesh load_mesh(const Field_arguments& arguments);
 std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& component);
 
 // The part of the options for one component that concerns the field and what is preferred. Vertices of the file that the
-// component does not have are left to the others. `place` is its number, for messages.
-void set_field_options(const Field_arguments& arguments, const Surface_component& component, std::size_t place, Field_options& field, Preference& preference);
+// component does not have are left to the others. `place` is its number.
+// Fields are solved for here, where they are not harmonic.
+void set_field_options(const Field_arguments& arguments, const Loaded_mesh& loaded, std::size_t place, Field_options& field, Preference& preference, Levels& levels);
 
 } // namespace program
 } // namespace meridian

@@ -19,10 +19,10 @@ namespace program {
 
 namespace {
 
-Generator_options options_for(const Generator_arguments& a, const Surface_component& c, std::size_t place)
+Generator_options options_for(const Generator_arguments& a, const Loaded_mesh& loaded, std::size_t place)
 {
   Generator_options o;
-  set_field_options(a, c, place, o, o.preference);
+  set_field_options(a, loaded, place, o, o.preference, o.levels);
   o.is_open = a.mode == "open";
   o.flow = a.longitudes == "flow";
   o.tighten = !a.no_tighten;
@@ -135,7 +135,7 @@ int run_generators(const Generator_arguments& arguments)
     std::vector<Generator_options> options;
     for (std::size_t i = 0; i < examination.components.size(); ++i)
     {
-      options.push_back(options_for(arguments, examination.components[i], i));
+      options.push_back(options_for(arguments, loaded, i));
       options.back().observer = &terminal;
     }
     std::vector<Generators> all;

@@ -4,6 +4,7 @@
 #define MERIDIAN_INSTANCES_H
 
 #include <meridian/cut_to_disc.h>
+#include <meridian/fields.h>
 #include <meridian/shortest_basis.h>
 
 namespace meridian {
@@ -11,6 +12,10 @@ namespace meridian {
 extern template Disc_cut cut_to_disc<>(const Triangle_surface&, const Cut_options&);
 extern template Generators find_generators<>(const Triangle_surface&, const Generator_options&);
 extern template Homology_basis find_shortest_basis<>(const Triangle_surface&, const Basis_options&);
+
+extern template std::vector<double> eigenfunction_field<>(const Triangle_surface&, int, Weights);
+extern template std::pair<Index, Index> find_curved_vertices<>(const Triangle_surface&, int, Weights);
+extern template std::vector<double> geodesic_distance<>(const Triangle_surface&, const std::vector<Index>&);
 
 } // namespace meridian
 

@@ -25,6 +25,14 @@ void add_common(CLI::App& command, meridian::program::Common_arguments& argument
   command.add_flag("--quiet", arguments.quiet, "print nothing but errors");
 }
 
+// Which options were given whose default cannot tell.
+void note_options(const CLI::App& command, meridian::program::Field_arguments& a)
+{
+  a.has_direction = command.count("--direction") > 0;
+  a.has_from = command.count("--from") > 0;
+  a.has_extrema = command.count("--extrema") > 0;
+}
+
 const char* const repair_help = "split edges with three or more faces instead of refusing the mesh";
 
 } // namespace
@@ -65,14 +73,25 @@ int main(int argc, char** argv)
 
   const std::string field = "The field", meridians = "The meridians", links = "The links";
   const auto add_field = [&](CLI::App& command, Field_arguments& a) {
-    command.add_option("--weights", a.weights, "discretization of the Laplacian: positive, mean-value or cotangent")
-      ->check(CLI::IsMember({"positive", "mean-value", "cotangent"}))->capture_default_str()->group(field);
-    command.add_option("--minimum", a.minima, "vertices of MESH (from 0) where the field is lowest; otherwise two vertices far apart are taken")
+    command.add_option("--field", a.field, "the field whose contours are cut: harmonic, an eigenfunction of the Laplacian, or the geodesic distance from a vertex")
+      ->check(CLI::IsMember({"harmonic", "eigenfunction", "distance"}))->capture_default_str()->group(field);
+    command.add_option("--values", a.values, "a field from a text file of numbers, one a vertex of MESH")->type_name("FILE")->group(field);
+    command.add_option("--eigenfunction", a.eigenfunction, "which one, from 1; otherwise the genus + 1")->check(CLI::PositiveNumber)->group(field);
+    command.add_option("--weights", a.weights, "discretization of the Laplacian")
+      ->check(CLI::IsMember({"positive", "mean-value", "cotangent", "intrinsic-delaunay"}))->capture_default_str()->group(field);
+    command.add_option("--extrema", a.extrema, "where a harmonic field is lowest and highest: at two vertices far apart, or at the extrema of eigenfunctions with the highest curvature")
+      ->check(CLI::IsMember({"distant", "curved"}))->capture_default_str()->group(field);
+    command.add_option("--minimum", a.minima, "vertices of MESH (from 0) where the field is lowest, instead")
       ->type_name("V...")->group(field);
     command.add_option("--maximum", a.maxima, "vertices of MESH where the field is highest")->type_name("V...")->group(field);
-    command.add_option("--prefer", a.prefer, "which handles' loops are cut first: gaussian-curvature or mean-curvature of the saddle, length, or position")
-      ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position"}))->capture_default_str()->group(meridians);
-    return command.add_option("--direction", a.direction, "with --prefer position: loops far out in this direction first")
+    command.add_option("--from", a.from, "a vertex of MESH (from 0): where distances begin, or the loops of tree-cotree")->type_name("V")->group(field);
+    command.add_option("--prefer", a.prefer, "which loops are cut first: with high gaussian-curvature or mean-curvature at the saddle, of short length, in a position far out, hidden from an eye, or through low weights")
+      ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position", "hidden", "weights"}))->capture_default_str()->group(meridians);
+    command.add_option("--vertex-weights", a.vertex_weights, "with --prefer weights: a text file of numbers, one a vertex of MESH, high where loops shall not be")
+      ->type_name("FILE")->group(meridians);
+    command.add_option("--levels", a.levels, "take loops near their saddle, or where they are tightest between two critical levels")
+      ->check(CLI::IsMember({"saddle", "tight"}))->capture_default_str()->group(meridians);
+    command.add_option("--direction", a.direction, "with --prefer position: loops far out in this direction first; with hidden: towards the eye")
       ->expected(3)->type_name("X Y Z")->group(meridians);
   };
 
@@ -84,9 +103,16 @@ int main(int argc, char** argv)
   cut_command->add_option("--curves", cut.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
   add_common(*cut_command, cut);
   cut_command->add_flag("--repair", cut.repair, repair_help);
-  CLI::Option* cut_direction = add_field(*cut_command, cut);
-  cut_command->add_option("--method", cut.method, "what cuts the handles: a contour each, a meridian and a longitude each, or the descending flow lines of all saddles")
-    ->check(CLI::IsMember({"contours", "generators", "morse"}))->capture_default_str();
+  add_field(*cut_command, cut);
+  cut_command->add_option("--method", cut.method, "what cuts the handles: a contour each, a meridian and a longitude each, the descending flow lines of all saddles, contours of the geodesic distance, shortest loops of edges at a base point, or the edges left when faces are removed")
+    ->check(CLI::IsMember({"contours", "generators", "morse", "geodesic", "tree-cotree", "geometry-image"}))->capture_default_str();
+  cut_command->add_option("--bases", cut.bases, "with --method tree-cotree: how many base points are tried, unless --from names one")->check(CLI::PositiveNumber)->capture_default_str();
+  cut_command->add_option("--tighten", cut.tighten, "shorten nothing, the curves within their classes, or the whole graph, whose vertices then move and whose paths may change places")
+    ->check(CLI::IsMember({"no", "curves", "graph"}))->capture_default_str();
+  cut_command->add_flag("--on-edges", cut.on_edges, "cut existing edges only, so that there are no new vertices");
+  cut_command->add_flag("--refine-where-needed", cut.refine_where_needed, "with --on-edges: divide the triangles where the mesh is too coarse for disjoint loops of edges");
+  cut_command->add_option("--family", cut.family, "find N different cuts: fields, preferences, levels and methods change. They are written to OUT with a number before its ending")
+    ->check(CLI::PositiveNumber)->type_name("N");
   cut_command->add_option("--join", cut.join, "with --method generators: join the pairs by shortest paths on the surface, along the quasi Morse-Smale complex, or along its paths between the meridians' saddles")
     ->check(CLI::IsMember({"surface", "complex", "saddles"}))->capture_default_str()->group(links);
   cut_command->add_option("--links", cut.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
@@ -103,7 +129,7 @@ int main(int argc, char** argv)
   generators_command->add_option("--curves", generators.curves, "write the curves alone as OBJ lines")->type_name("FILE");
   add_common(*generators_command, generators);
   generators_command->add_flag("--repair", generators.repair, repair_help);
-  CLI::Option* generators_direction = add_field(*generators_command, generators);
+  add_field(*generators_command, generators);
   generators_command->add_option("--basis", generators.basis, "a meridian and a longitude for every handle, or short loops that are a basis of homology and may cross")
     ->check(CLI::IsMember({"pairs", "shortest"}))->capture_default_str();
   generators_command->add_option("--longitudes", generators.longitudes, "look for flow lines first, or take shortest arcs at once")
@@ -136,12 +162,12 @@ int main(int argc, char** argv)
     if (*cut_command)
     {
       cut.has_source = source->count() > 0;
-      cut.has_direction = cut_direction->count() > 0;
-      return run_cut(cut);
+      note_options(*cut_command, cut);
+      return cut.family > 0 ? run_family(cut) : run_cut(cut);
     }
     if (*generators_command)
     {
-      generators.has_direction = generators_direction->count() > 0;
+      note_options(*generators_command, generators);
       return run_generators(generators);
     }
     return run_verify(verify);

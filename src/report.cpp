@@ -6,17 +6,6 @@ namespace program {
 
 namespace {
 
-const char* name_of(Weights weights)
-{
-  switch (weights)
-  {
-  case Weights::POSITIVE: return "positive";
-  case Weights::MEAN_VALUE: return "mean-value";
-  case Weights::COTANGENT: return "cotangent";
-  }
-  return "";
-}
-
 double degrees(double radians) { return radians * 180 / std::acos(-1.); }
 
 double length_of(const Disc_cut& cut, const std::vector<Index>& path, bool closed)
@@ -56,7 +45,7 @@ namespace {
 
 Json report_field(const Field_summary& f, const Field_options& options)
 {
-  return {{"kind", f.field.empty() ? "none" : "harmonic"}, {"weights", name_of(options.weights)}, {"mode", "closed"},
+  return {{"kind", f.field_kind}, {"weights", name_of(options.weights)}, {"mode", "closed"},
           {"minima", f.counts.minima}, {"maxima", f.counts.maxima}, {"saddles", f.counts.saddles},
           {"counted_on", "closed model"}, {"order_sweeps", f.order_rounds}, {"order_numbered", f.order_numbered},
           {"flat_regions", f.flat_regions}};
@@ -75,7 +64,7 @@ Json report_cut(const Disc_cut& cut, const Surface_component& component, const C
 {
   Json r = report_counts(component);
   r["field"] = report_field(cut, options);
-  Json meridians = Json::array(), links = Json::array();
+  Json meridians = Json::array(), links = Json::array(), paths = Json::array();
   for (std::size_t i = 0; i < cut.meridians.size(); ++i)
   {
     meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)}, {"saddle", component.vertex_of[cut.saddles[i]]}});
@@ -86,9 +75,11 @@ Json report_cut(const Disc_cut& cut, const Surface_component& component, const C
     }
   }
   for (const auto& link : cut.links) { links.push_back({{"length", component.unit * length_of(cut, link, false)}}); }
+  for (const auto& path : cut.paths) { paths.push_back({{"length", component.unit * length_of(cut, path, false)}}); }
   r["cut"] = {{"method", name_of(options.method)}, {"edges", cut.opened.seams.size()}, {"length", component.unit * cut.length}, {"connected", count.discs == 1},
               {"euler_characteristic", count.disc_euler_characteristic}, {"boundary_loops", count.disc_boundary_loops},
-              {"meridians", meridians}, {"longitudes", cut.longitudes.size()}, {"flow_lines", cut.flow_lines.size()}, {"links", links}, {"link_domain", cut.links_in_plane ? "plane" : "surface"},
+              {"meridians", meridians}, {"longitudes", cut.longitudes.size()}, {"flow_lines", cut.flow_lines.size()}, {"links", links}, {"paths", paths},
+              {"tightening", name_of(options.tightening)}, {"length_found", component.unit * cut.length_found}, {"on_edges", options.on_edges}, {"link_domain", cut.links_in_plane ? "plane" : "surface"},
               {"new_vertices", cut.surface.origins.size()}, {"smallest_angle_before", degrees(cut.smallest_angle_before)},
               {"smallest_angle_after", degrees(cut.smallest_angle_after)}};
   if (!cut.link_note.empty()) { r["cut"]["link_note"] = cut.link_note; }

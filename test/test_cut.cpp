@@ -414,7 +414,7 @@ BOOST_AUTO_TEST_CASE(an_observer_sees_the_stages_in_order_and_can_end_the_run)
   pipeline::cut(s, o);
   BOOST_TEST((all.started == all.finished));
   BOOST_TEST((std::is_sorted(all.started.begin(), all.started.end())));
-  BOOST_TEST(all.started.size() == 7u);
+  BOOST_TEST(all.started.size() == 9u);
   Watcher two;
   two.steps = 2;
   o.observer = &two;

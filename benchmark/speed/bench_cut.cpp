@@ -68,7 +68,7 @@ struct Stages
     for (const Contour& c : loops)
     {
       const Index v = root_vertex(root, ordered.surface, c.saddle);
-      candidates.push_back({v, root.points[v], curvature(root, v), length(ordered, c), c.is_longer});
+      candidates.push_back({v, root.points[v], curvature(root, v), length(ordered, c), c.is_longer, {}});
     }
     curves = project();
     examination = examine_surface(soup);

@@ -16,6 +16,7 @@ namespace meridian {
 struct Generator_options : Field_options
 {
   Preference preference = preference::gaussian_curvature;
+  Levels levels = Levels::SADDLE;
   bool is_open = false; ///< whether the field's boundary is free, so that level lines may end there
   bool keep_complex = false; ///< whether the quasi Morse-Smale complex of the field is kept
   bool flow = true;    ///< whether longitudes are sought among flow lines first

@@ -13,7 +13,7 @@ namespace meridian {
 
 /// \ingroup PkgMeridianProgress
 /// the stages of a cut or of a search for generators, in the order they run.
-enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, FLOW, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, OPEN, VERIFY };
+enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, FLOW, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, SHORTEN, OPEN, VERIFY };
 
 /// \ingroup PkgMeridianProgress
 /// \returns the name of a stage as it stands in reports
@@ -32,6 +32,7 @@ inline const char* name_of(Stage stage)
   case Stage::INSERT: return "insert";
   case Stage::CLASSIFY: return "classify";
   case Stage::LINKS: return "links";
+  case Stage::SHORTEN: return "shorten";
   case Stage::OPEN: return "open";
   case Stage::VERIFY: return "verify";
   }

@@ -4,6 +4,8 @@
 
 #include <meridian/Ordered_surface.h>
 
+#include <set>
+
 namespace meridian {
 
 /// \ingroup PkgMeridianContours
@@ -169,6 +171,69 @@ inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m, double 
   std::vector<Contour> unique;
   for (std::size_t i = 0; i < loops.size(); ++i) { if (!is_repeated[i]) { unique.push_back(std::move(loops[i])); } }
   return unique;
+}
+
+/// \ingroup PkgMeridianContours
+/// where on its arc of the Reeb graph the loop of a saddle is taken.
+enum class Levels
+{
+  SADDLE, ///< near the saddle
+  TIGHT   ///< where it is shortest between two critical levels
+};
+
+/*!
+ * \ingroup PkgMeridianContours
+ *
+ * \returns the shortest of contours that a contour sweeps between the critical points above and below it. All of them are isotopic, and
+ *          loops on different arcs of the Reeb graph stay disjoint.
+ *
+ * \param m the ordered surface
+ * \param loop a contour
+ * \param is_critical whether a node is a critical point, for each node
+ * \param samples how many levels are tried in each direction
+ * \par Complexity
+ * \f$ O(k \log k) \f$ for the `k` nodes that are swept, and linear in the crossings of the contours tried
+ */
+inline Contour find_tightest_contour(const Ordered_surface& m, const Contour& loop, const std::vector<char>& is_critical, int samples = 24)
+{
+  Contour best = loop;
+  double shortest = length(m, loop);
+  for (const bool up : {true, false})
+  {
+    // The nodes that the contour passes one after the other, up to the first critical one.
+    std::set<Index> next; // ranks, or below the contour their opposites
+    const auto reach = [&](Index v) {
+      const Index r = m.rank[v];
+      if (up ? r > loop.level : r <= loop.level) { next.insert(up ? r : -r); }
+    };
+    for (Index h : loop.halfedges) { reach(up ? m.surface.target(h) : m.surface.source(h)); }
+    std::vector<Index> passed;
+    while (!next.empty())
+    {
+      const Index r = up ? *next.begin() : -*next.begin(), node = m.order.nodes[r];
+      next.erase(next.begin());
+      if (is_critical[node]) { break; }
+      passed.push_back(r);
+      for_each_around_node(m.surface, m.graph.representative[node], [&](Index h) {
+        if (up ? m.rank[m.surface.target(h)] > r : m.rank[m.surface.target(h)] < r) { reach(m.surface.target(h)); }
+      });
+    }
+    for (int i = 1; i <= samples; ++i)
+    {
+      const std::size_t k = passed.size() * i / samples;
+      if (k == 0 || k == passed.size() * (i - 1) / samples) { continue; }
+      const Index level = up ? passed[k - 1] : passed[k - 1] - 1;
+      const Index h = loop.halfedges.front();
+      Contour c = trace_contour(m, internal::climb(m, up ? h : m.surface.opposite[h], level, up), level);
+      c.saddle = loop.saddle;
+      c.is_longer = loop.is_longer;
+      const double l = length(m, c);
+      if (!(l < shortest)) { continue; }
+      shortest = l;
+      best = std::move(c);
+    }
+  }
+  return best;
 }
 
 } // namespace meridian

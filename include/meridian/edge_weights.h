@@ -12,8 +12,23 @@ enum class Weights
 {
   POSITIVE,   ///< mean-value weights made symmetric edge by edge: positive and symmetric, so that the maximum principle holds
   MEAN_VALUE, ///< Floater 2003: positive, not symmetric
-  COTANGENT   ///< Pinkall, Polthier 1993: symmetric, negative across obtuse angles
+  COTANGENT,  ///< Pinkall, Polthier 1993: symmetric, negative across obtuse angles
+  INTRINSIC_DELAUNAY ///< cotangents on other edges than the mesh's, none negative: see `make_intrinsic_delaunay_graph()`
 };
+
+/// \ingroup PkgMeridianOrder
+/// \returns the name of a discretization as it stands in reports
+inline const char* name_of(Weights weights)
+{
+  switch (weights)
+  {
+  case Weights::POSITIVE: return "positive";
+  case Weights::MEAN_VALUE: return "mean-value";
+  case Weights::COTANGENT: return "cotangent";
+  case Weights::INTRINSIC_DELAUNAY: return "intrinsic-delaunay";
+  }
+  return "";
+}
 
 /*!
  * \ingroup PkgMeridianOrder
@@ -24,6 +39,7 @@ enum class Weights
  * bounded relative to the size of the surface. Positive weights stay positive.
  * Both sides of a boundary edge lie in one node of the closed model, so that boundary edges have weight 0.
  *
+ * \pre `kind` is not `Weights::INTRINSIC_DELAUNAY`
  * \par Complexity
  * Linear.
  */

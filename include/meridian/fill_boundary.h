@@ -67,7 +67,9 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
   run(Stage::EXTREMA, [&] {
     m.surface = Refined_surface(filled.surface);
     m.graph = make_node_graph(m.surface);
-    if (minima.empty() && maxima.empty())
+    if (options.weights == Weights::INTRINSIC_DELAUNAY && options.values.empty())
+      throw Invalid_input_error("intrinsic Delaunay weights are made for the closed model; choose others where the boundary is free");
+    if (minima.empty() && maxima.empty() && options.values.empty())
     {
       auto [a, b] = find_distant_nodes(m.surface, m.graph);
       for (Index* v : {&a, &b}) // the middle of a fan is no place of the surface
@@ -87,6 +89,25 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
   });
   run(Stage::FIELD, [&] {
     const Triangle_surface& s = m.surface;
+    const auto fill = [&] {
+      for (Index c = filled.vertices; c < s.number_of_vertices(); ++c)
+      {
+        double sum = 0;
+        int count = 0;
+        s.for_each_outgoing(c, [&](Index h) { sum += m.field.value[s.target(h)]; ++count; });
+        m.field.value[c] = sum / count;
+      }
+    };
+    if (!options.values.empty())
+    {
+      std::vector<double> values = options.values;
+      if (static_cast<Index>(values.size()) != filled.vertices)
+        throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for " + std::to_string(filled.vertices) + " vertices; it needs one a vertex");
+      values.resize(s.number_of_vertices(), 0);
+      m.field = internal::field_of_values(filled.surface, m.surface, m.graph, values);
+      fill();
+      return;
+    }
     auto weights = edge_weights(s, options.weights);
     for (Index h = 0; h < s.number_of_halfedges(); ++h)
       if (s.source(h) >= filled.vertices || s.target(h) >= filled.vertices) { weights[h] = 0; }
@@ -105,13 +126,7 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
       system.solve(unknown, [&](Index a) { return m.field.value[a]; }, m.field.value);
     };
     if (options.weights == Weights::MEAN_VALUE) { solve(GeneralTraits()); } else { solve(SymmetricTraits()); }
-    for (Index c = filled.vertices; c < s.number_of_vertices(); ++c)
-    {
-      double sum = 0;
-      int count = 0;
-      s.for_each_outgoing(c, [&](Index h) { sum += m.field.value[s.target(h)]; ++count; });
-      m.field.value[c] = sum / count;
-    }
+    fill();
   });
   run(Stage::ORDER, [&] { order_by_field(filled.surface, m, minima, maxima); });
   return m;

@@ -81,12 +81,12 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
                                                      const Filled_surface* filled = nullptr)
 {
   std::vector<std::pair<Index, Index>> saddles;
-  static_cast<Field_summary&>(g) = summarize_field(root, m);
+  static_cast<Field_summary&>(g) = summarize_field(root, m, options);
   Meridian_search search;
   run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
   Normal_curves curves(root, 2 * g.genus);
   run(Stage::MERIDIANS, [&] {
-    find_meridians(filled ? filled->surface : root, m, g.genus, options.preference, search);
+    find_meridians(filled ? filled->surface : root, m, g.genus, options.preference, search, options.levels);
     add_contours(filled ? project_from_filled(root, *filled, m, search.chosen(), g.arcs, g.loops) : project_crossings(root, m, search.chosen()), curves);
     g.pairs.resize(g.genus);
     for (int i = 0; i < g.genus; ++i)

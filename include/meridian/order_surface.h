@@ -4,6 +4,7 @@
 
 #include <meridian/Ordered_surface.h>
 #include <meridian/Progress_observer.h>
+#include <meridian/intrinsic_delaunay.h>
 #include <meridian/solve_harmonic_field.h>
 #include <meridian/surface_measures.h>
 
@@ -17,12 +18,16 @@ struct Field_options
 {
   Weights weights = Weights::POSITIVE;
   std::vector<Index> minima, maxima; ///< vertices where the field is 0 and 1; both empty: two vertices far apart
+  std::vector<double> values; ///< one a vertex: a field to take instead of a harmonic one, such as an eigenfunction or a distance. A
+                              ///< boundary loop takes the mean of its vertices. Its own extrema are kept, or `minima` and `maxima` if they are given.
+  std::string values_name = "given"; ///< what `values` are, for reports
 };
 
 /// \ingroup PkgMeridianOrder
 /// what a field was, for whoever made something of it.
 struct Field_summary
 {
+  std::string field_kind = "none";
   std::vector<double> field;            ///< at the vertices of the surface; empty where no field was needed
   std::vector<Critical_point> critical; ///< of the closed model, as vertices of the surface or -1
   Critical_counts counts;
@@ -34,9 +39,11 @@ struct Field_summary
 /// \returns what is worth telling about the field of `m`
 /// \param root the surface that `m.surface` refines
 /// \param m the ordered surface
-inline Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m)
+/// \param options what it was ordered by
+inline Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m, const Field_options& options)
 {
   Field_summary f;
+  f.field_kind = options.values.empty() ? "harmonic" : options.values_name;
   f.critical = m.critical;
   f.counts = count(m.critical);
   for (Critical_point& p : f.critical) { if (p.vertex >= root.number_of_vertices()) { p.vertex = -1; } }
@@ -51,23 +58,46 @@ inline Field_summary summarize_field(const Triangle_surface& root, const Ordered
 /// orders a surface by its field and makes all saddles simple.
 /// \param root the surface that `m.surface` refines
 /// \param m surface, graph and field; the rest is found
-/// \param minima, maxima the nodes that may be extrema, sorted
+/// \param minima, maxima the nodes that may be extrema, sorted; both empty: those of the field
 /// \par Complexity
 /// that of `simplify_order()` and `unfold_saddles()`
 inline void order_by_field(const Triangle_surface& root, Ordered_surface& m, const std::vector<Index>& minima, const std::vector<Index>& maxima)
 {
   m.order = order_nodes(m.graph, m.field);
-  simplify_order(m.graph, m.order, minima, maxima);
+  if (!minima.empty()) { simplify_order(m.graph, m.order, minima, maxima); }
   m.rank.clear();
   for (Index a : m.graph.node) { m.rank.push_back(m.order.rank[a]); }
   m.critical = find_critical_points(m.surface, m.rank);
   unfold_saddles(root, m);
 }
 
+namespace internal {
+
+// A field that was given, on the nodes of the closed model. What the surface has beside the root lies on edges of it.
+inline Scalar_field field_of_values(const Triangle_surface& root, const Refined_surface& s, const Node_graph& g, const std::vector<double>& values)
+{
+  if (static_cast<Index>(values.size()) != root.number_of_vertices())
+    throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for " + std::to_string(root.number_of_vertices()) + " vertices; it needs one a vertex");
+  const auto bad = std::find_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); });
+  if (bad != values.end()) { throw Invalid_input_error("the field is not finite at vertex " + std::to_string(bad - values.begin())); }
+  Scalar_field field(g.number_of_nodes);
+  std::vector<int> count(g.number_of_nodes, 0);
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    const Origin o = s.origin(v);
+    const double x = o.kind == Origin::EDGE ? values[o.index[0]] + o.weight[0] * (values[o.index[1]] - values[o.index[0]]) : values[o.index[0]];
+    double& mean = field.value[g.node[v]];
+    mean += (x - mean) / ++count[g.node[v]];
+  }
+  return field;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgMeridianOrder
  *
- * solves a harmonic field, orders the surface by it and makes all saddles simple.
+ * solves a harmonic field, or takes the one that is given, orders the surface by it and makes all saddles simple.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
  *         mean-value weights
@@ -77,7 +107,8 @@ inline void order_by_field(const Triangle_surface& root, Ordered_surface& m, con
  *
  * \returns the ordered surface
  * \pre `root` is connected
- * \throws Invalid_input_error if minima and maxima coincide, Solver_error if the field cannot be solved
+ * \throws Invalid_input_error if minima and maxima coincide or the values are not one finite number a vertex, Solver_error if the
+ *         field cannot be solved
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */
@@ -90,7 +121,7 @@ Ordered_surface order_surface(const Triangle_surface& root, const Field_options&
   run(Stage::EXTREMA, [&] {
     m.surface = divide_chords(root);
     m.graph = make_node_graph(m.surface);
-    if (options.minima.empty() && options.maxima.empty())
+    if (options.minima.empty() && options.maxima.empty() && options.values.empty())
     {
       const auto [a, b] = find_distant_nodes(m.surface, m.graph);
       minima = {std::min(a, b)};
@@ -109,10 +140,22 @@ Ordered_surface order_surface(const Triangle_surface& root, const Field_options&
                                   + std::string(m.graph.is_loop(a) ? "one boundary loop, which is one place of the field"
                                                                    : "the same vertex")
                                   + " (vertex " + std::to_string(m.graph.representative[a]) + "); choose them apart");
+    if (minima.empty() != maxima.empty()) { throw Invalid_input_error("minima and maxima of a field go together; give both or neither"); }
     for (Index a : minima) { prescribed.push_back({a, 0}); }
     for (Index a : maxima) { prescribed.push_back({a, 1}); }
   });
   run(Stage::FIELD, [&] {
+    if (!options.values.empty())
+    {
+      m.field = internal::field_of_values(root, m.surface, m.graph, options.values);
+      return;
+    }
+    if (options.weights == Weights::INTRINSIC_DELAUNAY)
+    {
+      const Weighted_graph joined = make_intrinsic_delaunay_graph(m.surface);
+      m.field = solve_harmonic_field<SymmetricTraits>(m.surface, m.graph, joined.graph, joined.weights, prescribed);
+      return;
+    }
     const auto weights = edge_weights(m.surface, options.weights);
     m.field = options.weights == Weights::MEAN_VALUE
                 ? solve_harmonic_field<GeneralTraits>(m.surface, m.graph, weights, prescribed)

@@ -9,8 +9,8 @@
 namespace meridian {
 namespace internal {
 
-// Contours as curves 2i of a system, in the order that the levels give them.
-inline void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& curves)
+// Contours as every second curve of a system (or every `stride`-th), in the order that the levels give them.
+inline void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& curves, std::size_t stride = 2)
 {
   struct Place { std::size_t curve, position; };
   std::vector<Place> places;
@@ -30,11 +30,11 @@ inline void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_c
       for (Index x : curves.on(all[c][i].edge)) { place += curves[x].t < rank[c][i]; }
       steps.push_back({all[c][i].halfedge, place, rank[c][i]});
     }
-    curves.add(static_cast<Index>(2 * c), steps);
+    curves.add(static_cast<Index>(stride * c), steps);
   }
   for (std::size_t c = 0; c < all.size(); ++c)
   {
-    const auto crossings = curves.crossings(static_cast<Index>(2 * c));
+    const auto crossings = curves.crossings(static_cast<Index>(stride * c));
     for (std::size_t i = 0; i < crossings.size(); ++i) { curves.move(crossings[i], all[c][i].t); }
   }
 }
