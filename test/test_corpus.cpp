@@ -1,8 +1,9 @@
 // Cuts real meshes with the program, and compares what it counts with a list: MERIDIAN_CORPUS names a folder that holds
-// MANIFEST.csv with the columns file, components, genus_sum and loops_sum. Exit status 77 if the variable is not set.
+// MANIFEST.csv with the columns file, F, components, genus_sum and loops_sum. Exit status 77 if the variable is not set.
 //
 // test_corpus manifest  all meshes of the list but the largest
 // test_corpus large     the largest, and the folder xl
+// test_corpus choices   small meshes of the list with every choice of a field, a preference, a method and so on; `choices all` takes all
 // test_corpus bad       the folder bad: each is repaired and cut, or refused with a reason
 #include "support/run_program.h"
 
@@ -17,6 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::uintmax_t large_size = 1900000; // bytes of a packed file
+constexpr int small_mesh = 30000;              // faces
 
 int failures = 0, passed = 0;
 
@@ -134,6 +136,42 @@ void run_generators(const fs::path& corpus)
     for (const auto& entry : fs::directory_iterator(corpus / "xl")) { find_generators(workplace, entry.path()); }
 }
 
+// Every field, preference, level, method and tightening: verified, or refused for one of the reasons that the manual gives.
+void run_choices(const fs::path& corpus, bool all)
+{
+  const program::Workplace workplace;
+  std::map<std::string, int> refused;
+  for (const auto& row : read_manifest(corpus / "MANIFEST.csv"))
+  {
+    if (!all && std::stoi(row.at("F")) > small_mesh) { continue; }
+    const fs::path mesh = corpus / row.at("file");
+    for (const std::string option :
+         {"--field eigenfunction", "--field eigenfunction --weights intrinsic-delaunay --eigenfunction 1", "--field distance", "--weights intrinsic-delaunay",
+          "--weights cotangent --extrema curved", "--weights mean-value", "--prefer mean-curvature --levels tight", "--prefer length", "--prefer hidden --direction 1 2 3",
+          "--prefer position --direction 0 1 0 --tighten no", "--tighten graph", "--on-edges", "--on-edges --refine-where-needed", "--on-edges --tighten graph",
+          "--method geodesic --links plane", "--method generators --tighten graph", "--method morse", "--method tree-cotree", "--method geometry-image",
+          "--bifurcations --levels tight"})
+    {
+      const std::string name = mesh.filename().string() + " " + option;
+      const auto r = workplace.meridian("cut " + quoted(mesh) + " -o out.ply " + option);
+      if (r.status == 0)
+      {
+        const auto verify = workplace.meridian("verify " + quoted(mesh) + " out.ply");
+        check(verify.status == 0, name, "verify: exit status " + std::to_string(verify.status) + ": " + verify.error);
+        ++passed;
+      }
+      else
+      {
+        check(r.status == 1 && option == "--on-edges" && r.error.find("too coarse") != std::string::npos, name, "exit status " + std::to_string(r.status) + ": " + r.error);
+        ++refused[option];
+      }
+      workplace.shell("rm -f out.ply out.map.json");
+    }
+    std::cout << row.at("file") << '\n' << std::flush;
+  }
+  for (const auto& [option, count] : refused) { std::cout << option << ": " << count << " meshes refused as too coarse\n"; }
+}
+
 void run_bad(const fs::path& corpus)
 {
   std::vector<fs::path> meshes;
@@ -175,6 +213,7 @@ int main(int argc, char** argv)
   const std::string set = argc > 1 ? argv[1] : "manifest";
   if (set == "bad") { run_bad(corpus); }
   else if (set == "generators") { run_generators(corpus); }
+  else if (set == "choices") { run_choices(corpus, argc > 2 && std::string(argv[2]) == "all"); }
   else { run_manifest(corpus, set == "large"); }
   std::cout << passed << " runs, " << failures << " failures\n";
   return failures == 0 && passed > 0 ? 0 : 1;
