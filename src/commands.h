@@ -2,8 +2,9 @@
 #ifndef MERIDIAN_COMMANDS_H
 #define MERIDIAN_COMMANDS_H
 
-#include <meridian/cut_to_disc.h>
+#include <meridian/Triangle_surface.h>
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct Cut_arguments : Field_arguments
   std::string tighten = "curves";
   bool on_edges = false, refine_where_needed = false;
   int bases = 16;
+  bool has_bases = false;
   int family = 0; // how many cuts; 0: one, as chosen
 };
 

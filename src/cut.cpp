@@ -104,7 +104,12 @@ void check_cut_arguments(const Cut_arguments& a)
   forbid(a.refine_where_needed && a.tighten == "graph", "--refine-where-needed goes without --tighten graph");
   forbid((is_of_edges || a.method == "geodesic") && has_field, "this --method has a field of its own or none; leave out --field and --values");
   forbid(a.has_from && a.method != "geodesic" && a.method != "tree-cotree" && a.field != "distance", "--from goes with --method geodesic or tree-cotree, or with --field distance");
-  forbid(is_of_edges && (!a.minima.empty() || !a.maxima.empty() || a.has_source || a.bifurcations), "methods that cut edges have no field and no links");
+  const bool has_meridian_choice = a.prefer != "gaussian-curvature" || a.levels != "saddle", has_field_choice = a.weights != "positive" || a.has_extrema;
+  forbid(is_of_edges && (!a.minima.empty() || !a.maxima.empty() || a.has_source || a.bifurcations || has_field_choice || has_meridian_choice), "methods that cut edges have no field, no meridians and no links");
+  forbid(a.method == "geodesic" && has_field_choice, "--method geodesic has a field of its own; leave out --weights and --extrema");
+  forbid(a.method == "morse" && has_meridian_choice, "--method morse cuts the lines of all saddles; leave out --prefer and --levels");
+  forbid(a.has_bases && (a.method != "tree-cotree" || a.has_from), "--bases goes with --method tree-cotree, and without --from");
+  forbid(a.has_source && a.on_edges && (a.method == "generators" || a.method == "morse"), "--source goes without --on-edges with this --method");
   forbid(a.has_source && a.tighten == "graph", "--source goes without --tighten graph, which would move the links away from it");
 }
 

@@ -32,6 +32,14 @@ struct Row { std::string name, file; double length; std::size_t new_vertices; do
 int run_family(const Cut_arguments& arguments)
 {
   check_cut_arguments(arguments);
+  std::vector<std::string> written{arguments.report};
+  for (int i = 0; i < arguments.family; ++i)
+    for (const std::string& path : {arguments.out, arguments.curves, arguments.view})
+    {
+      written.push_back(numbered(path, i));
+      if (path == arguments.out) { written.push_back(files::map_path(written.back())); }
+    }
+  check_paths(arguments, written);
   Terminal terminal(arguments.quiet);
   const Loaded_mesh loaded = load_mesh(arguments);
   const auto& components = loaded.examination.components;

@@ -16,20 +16,29 @@
 namespace meridian {
 namespace program {
 
-void check_arguments(const Field_arguments& a)
+void check_paths(const Field_arguments& a, const std::vector<std::string>& written)
 {
   const auto place = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string(); };
-  std::set<std::string> places{place(a.mesh)};
-  for (const std::string& path : {a.out, files::map_path(a.out), a.report, a.view, a.curves})
+  std::set<std::string> places;
+  for (const std::string& path : {a.mesh, a.values, a.vertex_weights}) { if (!path.empty()) { places.insert(place(path)); } }
+  for (const std::string& path : written)
     if (!path.empty() && !places.insert(place(path)).second)
-      throw Usage_error(path + " would be written twice, or over the mesh that is read; give every file a name of its own");
+      throw Usage_error(path + " would be written twice, or over a file that is read; give every file a name of its own");
+}
+
+void check_arguments(const Field_arguments& a)
+{
+  check_paths(a, {a.out, files::map_path(a.out), a.report, a.view, a.curves});
   const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
+  const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
+  forbid(!(far > 0) || !std::isfinite(far), "--direction must be finite and not 0 0 0");
   const bool is_harmonic = a.values.empty() && a.field == "harmonic";
   forbid(a.has_direction && a.prefer != "position" && a.prefer != "hidden", "--direction goes with --prefer position or hidden");
   forbid((a.prefer == "weights") == a.vertex_weights.empty(), "--prefer weights and --vertex-weights go together");
   forbid(!a.values.empty() && a.field != "harmonic", "--values is a field; leave out --field");
   forbid(a.eigenfunction > 0 && a.field != "eigenfunction", "--eigenfunction goes with --field eigenfunction");
   forbid(a.has_extrema && (!is_harmonic || !a.minima.empty() || !a.maxima.empty()), "--extrema is for harmonic fields, and without --minimum and --maximum");
+  forbid(a.weights != "positive" && (!a.values.empty() || a.field == "distance"), "--weights goes with fields that are solved for with them: harmonic or eigenfunction");
   forbid(a.weights == "mean-value" && (a.field == "eigenfunction" || a.extrema == "curved"), "eigenfunctions need symmetric weights; mean-value weights are not");
 }
 
@@ -120,12 +129,14 @@ void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std:
       field.maxima = {high};
     }
   }
+  const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
+  const Point direction{a.direction[0] / far, a.direction[1] / far, a.direction[2] / far};
   if (a.levels == "tight") { levels = Levels::TIGHT; }
-  if (a.prefer == "hidden") { preference = preference::low_weight(visibility(c.surface, {a.direction[0], a.direction[1], a.direction[2]})); }
+  if (a.prefer == "hidden") { preference = preference::low_weight(visibility(c.surface, direction)); }
   if (a.prefer == "weights") { preference = preference::low_weight(local(loaded.vertex_weights)); }
   if (a.prefer == "mean-curvature") { preference = preference::mean_curvature; }
   if (a.prefer == "length") { preference = preference::short_length; }
-  if (a.prefer == "position") { preference = preference::position({a.direction[0], a.direction[1], a.direction[2]}); }
+  if (a.prefer == "position") { preference = preference::position(direction); }
 }
 
 } // namespace program

@@ -9,6 +9,9 @@
 namespace meridian {
 namespace program {
 
+// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read.
+void check_paths(const Field_arguments& arguments, const std::vector<std::string>& written);
+
 // Throws Usage_error if two outputs go to one file, or one to the input, or if options do not go together.
 void check_arguments(const Field_arguments& arguments);
 

@@ -76,7 +76,7 @@ int main(int argc, char** argv)
     command.add_option("--field", a.field, "the field whose contours are cut: harmonic, an eigenfunction of the Laplacian, or the geodesic distance from a vertex")
       ->check(CLI::IsMember({"harmonic", "eigenfunction", "distance"}))->capture_default_str()->group(field);
     command.add_option("--values", a.values, "a field from a text file of numbers, one a vertex of MESH")->type_name("FILE")->group(field);
-    command.add_option("--eigenfunction", a.eigenfunction, "which one, from 1; otherwise the genus + 1")->check(CLI::PositiveNumber)->group(field);
+    command.add_option("--eigenfunction", a.eigenfunction, "which one, from 1; otherwise the genus + 1")->check(CLI::Range(1, 1000000000))->group(field);
     command.add_option("--weights", a.weights, "discretization of the Laplacian")
       ->check(CLI::IsMember({"positive", "mean-value", "cotangent", "intrinsic-delaunay"}))->capture_default_str()->group(field);
     command.add_option("--extrema", a.extrema, "where a harmonic field is lowest and highest: at two vertices far apart, or at the extrema of eigenfunctions with the highest curvature")
@@ -106,13 +106,13 @@ int main(int argc, char** argv)
   add_field(*cut_command, cut);
   cut_command->add_option("--method", cut.method, "what cuts the handles: a contour each, a meridian and a longitude each, the descending flow lines of all saddles, contours of the geodesic distance, shortest loops of edges at a base point, or the edges left when faces are removed")
     ->check(CLI::IsMember({"contours", "generators", "morse", "geodesic", "tree-cotree", "geometry-image"}))->capture_default_str();
-  cut_command->add_option("--bases", cut.bases, "with --method tree-cotree: how many base points are tried, unless --from names one")->check(CLI::PositiveNumber)->capture_default_str();
+  cut_command->add_option("--bases", cut.bases, "with --method tree-cotree: how many base points are tried, unless --from names one")->check(CLI::Range(1, 1000000000))->capture_default_str();
   cut_command->add_option("--tighten", cut.tighten, "shorten nothing, the curves within their classes, or the whole graph, whose vertices then move and whose paths may change places")
     ->check(CLI::IsMember({"no", "curves", "graph"}))->capture_default_str();
   cut_command->add_flag("--on-edges", cut.on_edges, "cut existing edges only, so that there are no new vertices");
   cut_command->add_flag("--refine-where-needed", cut.refine_where_needed, "with --on-edges: divide the triangles where the mesh is too coarse for disjoint loops of edges");
   cut_command->add_option("--family", cut.family, "find N different cuts: fields, preferences, levels and methods change. They are written to OUT with a number before its ending")
-    ->check(CLI::PositiveNumber)->type_name("N");
+    ->check(CLI::Range(1, 1000000000))->type_name("N");
   cut_command->add_option("--join", cut.join, "with --method generators: join the pairs by shortest paths on the surface, along the quasi Morse-Smale complex, or along its paths between the meridians' saddles")
     ->check(CLI::IsMember({"surface", "complex", "saddles"}))->capture_default_str()->group(links);
   cut_command->add_option("--links", cut.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
@@ -163,6 +163,7 @@ int main(int argc, char** argv)
     {
       cut.has_source = source->count() > 0;
       note_options(*cut_command, cut);
+      cut.has_bases = cut_command->count("--bases") > 0;
       return cut.family > 0 ? run_family(cut) : run_cut(cut);
     }
     if (*generators_command)

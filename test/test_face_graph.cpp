@@ -1,5 +1,7 @@
 #include "support/sample_surfaces.h"
 
+#include "instances.h"
+
 #include <meridian/face_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -88,6 +90,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_field_lies_between_its_prescribed_values, Triang
   BOOST_TEST(values[all[100]] == 1);
   for (const auto& [v, x] : values) { BOOST_REQUIRE((x >= 0 && x <= 1)); }
   BOOST_CHECK_THROW(solve_harmonic_field(tm, std::vector<Vertex>{}, std::vector<Vertex>{all[1]}, boost::make_assoc_property_map(values)), Invalid_input_error);
+}
+
+// Known answer: contours of the height of a torus on edge are two level circles around its tube, one on each side.
+BOOST_AUTO_TEST_CASE_TEMPLATE(maps_give_fields_and_weights, TriangleMesh, Mesh_types)
+{
+  const auto tm = build_mesh<TriangleMesh>(sample::torus(40, 16));
+  std::map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double> height, weight;
+  Cut_options options;
+  options.tightening = Tightening::NONE;
+  for (const double sign : {1., -1.})
+  {
+    for (auto v : vertices(tm))
+    {
+      height[v] = get(CGAL::vertex_point, tm, v)[0];
+      weight[v] = sign * get(CGAL::vertex_point, tm, v)[1];
+    }
+    TriangleMesh disc;
+    const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options).field_map(boost::make_assoc_property_map(height))
+                                             .vertex_weight_map(boost::make_assoc_property_map(weight)));
+    for (Index v : cut.meridians.front())
+    {
+      BOOST_TEST(std::abs(cut.surface.points[v][0] - cut.surface.points[cut.meridians.front().front()][0]) < 0.2);
+      BOOST_TEST(sign * cut.surface.points[v][1] < 0); // where the weight is low
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(quadrilaterals_are_refused_by_name)

@@ -53,6 +53,12 @@ BOOST_DATA_TEST_CASE(any_field_gives_a_disc, data::xrange(1, 4) * data::xrange(6
     case 4: o.values = noise(); break; // ties and all
     default: o.values.assign(s.number_of_vertices(), 1); break;
     }
+    for (Cut_method method : {Cut_method::MORSE, Cut_method::GENERATORS})
+    {
+      o.method = method;
+      check_cut(s, o);
+    }
+    o.method = Cut_method::CONTOURS;
     auto cut = check_cut(s, o);
     BOOST_TEST(cut.counts.saddles == 2 * genus + cut.counts.minima + cut.counts.maxima - 2);
     BOOST_TEST(cut.meridians.size() == static_cast<std::size_t>(genus));
@@ -63,6 +69,19 @@ BOOST_DATA_TEST_CASE(any_field_gives_a_disc, data::xrange(1, 4) * data::xrange(6
     BOOST_TEST(cut.counts.maxima == 1);
     BOOST_TEST(cut.counts.saddles == 2 * genus);
   }
+}
+
+// Descending lines leave one piece for each maximum, so that all but the highest are taken out of the order.
+BOOST_AUTO_TEST_CASE(flow_lines_of_several_maxima_give_one_disc)
+{
+  const auto s = sample::noisy(sample::plate(2, 4), 0.08, 3);
+  Cut_options o;
+  o.method = Cut_method::MORSE;
+  o.minima = {9, 40};
+  o.maxima = {100, 200, 300};
+  const auto cut = check_cut(s, o);
+  BOOST_TEST(cut.counts.maxima == 1);
+  BOOST_TEST(cut.counts.minima == 2);
 }
 
 // Known answer: contours of the height are level.

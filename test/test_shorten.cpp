@@ -97,7 +97,7 @@ BOOST_DATA_TEST_CASE(a_shortened_cut_graph_leaves_a_disc, data::xrange(0, 5) * d
   {
     const auto curves = shorten_cut_graph(s, paths_of(s, edges));
     check_disc(s, curves);
-    BOOST_TEST(length_of(s, curves) < length_of_edges(s, edges) * 1.02); // curves keep off the ends of edges a little
+    BOOST_TEST(length_of(s, curves) <= length_of_edges(s, edges) * (1 + 1e-12));
     // Shortening what is short gains little.
     Refined_surface r(s);
     insert_curves(s, r, curves);
@@ -186,6 +186,40 @@ BOOST_AUTO_TEST_CASE(shortening_does_not_depend_on_units_and_little_on_numbers)
   }
 }
 
+// Faces without area, points in one place, needles: distances tie, and still nothing crosses.
+BOOST_DATA_TEST_CASE(shortening_stands_bad_shapes, data::xrange(8) * data::xrange(5), base, shape)
+{
+  for (auto s : {sample::plate(1, 3), sample::plate(2, 2), sample::punctured(sample::plate(1, 2), {12}), sample::torus(5, 4)})
+  {
+    for (Point& p : s.points)
+      for (double& x : p)
+        switch (shape)
+        {
+        case 0: x = std::floor(x + 0.5); break;
+        case 1: x = 0; break;
+        case 2: x = &x == &p[0] ? 1e7 * x : x; break;
+        case 3: x = &x == &p[1] ? 0 : x; break;
+        default: x = std::floor(x / 2); break;
+        }
+    const auto edges = cut_by_tree_cotree(s, base);
+    Normal_curves curves(s, 0);
+    internal::add_paths(curves, paths_of(s, edges));
+    tighten_curves(curves);
+    internal::Network_exchange exchange(curves);
+    const Tighten_options options;
+    for (int i = 0; i < 3; ++i)
+    {
+      internal::move_vertices(curves, options, [] {});
+      curves.count_crossings();
+      exchange.run(options, [] {});
+      curves.count_crossings();
+    }
+    const auto shorter = shorten_cut_graph(s, paths_of(s, edges));
+    check_disc(s, shorter);
+    BOOST_TEST(length_of(s, shorter) <= length_of_edges(s, edges) * (1 + 1e-12));
+  }
+}
+
 // What is no cut graph is told so.
 BOOST_AUTO_TEST_CASE(paths_that_leave_no_disc_are_refused)
 {
@@ -235,10 +269,10 @@ BOOST_DATA_TEST_CASE(trials_leave_no_trace, data::xrange(8), seed)
     Normal_curves::Trial trial(curves);
     internal::Network_exchange exchange(curves);
     Tighten_options options;
-    internal::move_vertices(curves, options);
-    exchange.run(options);
+    internal::move_vertices(curves, options, [] {});
+    exchange.run(options, [] {});
     Normal_curves::Trial inner(curves);
-    internal::move_vertices(curves, options);
+    internal::move_vertices(curves, options, [] {});
     inner.keep();
     BOOST_TEST(internal::network_length(curves) < length);
   }

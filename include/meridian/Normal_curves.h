@@ -143,6 +143,14 @@ public:
     return count_in_faces(faces, count) && count[curve / 2] == 1;
   }
 
+  /// \returns whether a curve is simple and crosses no other
+  bool is_disjoint(Index curve) const
+  {
+    std::vector<Index> faces, count(m_meeting.size(), 0);
+    for (Id x : crossings(curve)) { for (Index h : {(*this)[x].halfedge, m_surface.opposite[(*this)[x].halfedge]}) { faces.push_back(m_surface.face(h)); } }
+    return count_in_faces(faces, count) && (count.empty() || curve / 2 >= static_cast<Index>(count.size()) || count[curve / 2] == 0);
+  }
+
   /// \returns whether a curve that crosses its partner once crosses it from right to left
   bool runs_from_right(Index curve) const
   {
@@ -250,7 +258,7 @@ private:
           if (edge(x) == edge(y)) { return false; }
           if (side(y, face) > h) { open.push_back(x); continue; }
           if (!open.empty() && open.back() == y) { open.pop_back(); continue; }
-          if (open.size() < 2 || open[open.size() - 2] != y || (*this)[open.back()].curve != partner((*this)[x].curve)) { return false; }
+          if (open.size() < 2 || (*this)[x].curve / 2 >= static_cast<Index>(count.size()) || open[open.size() - 2] != y || (*this)[open.back()].curve != partner((*this)[x].curve)) { return false; }
           ++count[(*this)[x].curve / 2];
           open.erase(open.end() - 2);
         }

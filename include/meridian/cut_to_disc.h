@@ -48,7 +48,7 @@ enum class Cut_method
 enum class Tightening
 {
   NONE,   ///< curves stay as they were found
-  CURVES, ///< meridians, each within its class; links are shortest paths between them in any case
+  CURVES, ///< meridians, each within its class; links are shortest paths between them anyway
   GRAPH   ///< the whole cut graph: its vertices move, and ways through the disc take the place of longer curves
 };
 
@@ -82,7 +82,8 @@ struct Cut_options : Field_options
   Levels levels = Levels::SADDLE;
   Tightening tightening = Tightening::CURVES;
   Tighten_options tighten_options;
-  bool on_edges = false;            ///< whether only edges of the surface are cut, so that there are no new vertices
+  bool on_edges = false;            ///< whether only edges of the surface are cut, so that there are no new vertices: meridians of contours
+                                    ///< are moved onto edges; for other curves, and with `GRAPH`, a cut graph of edges close by is taken
   bool refine_where_needed = false; ///< with `on_edges`: divide edges where meridians cannot be moved onto them
   Index source = -1;                ///< with `Cut_method::GEODESIC`: where distances begin, or -1; with `TREE_COTREE`: the base point
   int bases = 16;                   ///< with `TREE_COTREE` and no source: how many base points are tried
@@ -138,7 +139,7 @@ inline void cut_along_contours(const Triangle_surface& root, const Ordered_surfa
     });
   run(Stage::INSERT, [&] {
     if (options.tightening == Tightening::NONE) { meridians = project_contours(root, m, search.chosen()); }
-    if (options.on_edges) { meridians = snap_to_edges(root, meridians, options.refine_where_needed); }
+    if (options.on_edges && options.tightening != Tightening::GRAPH) { meridians = snap_to_edges(root, meridians, options.refine_where_needed); }
     cut.meridians = insert_curves(root, cut.surface, meridians).vertices;
   });
 }
@@ -170,8 +171,8 @@ inline void reshape_graph(const Triangle_surface& root, const Cut_options& optio
   if (!shorten && (!options.on_edges || is_on_edges || options.refine_where_needed)) { return; }
   run(Stage::SHORTEN, [&] {
     Refined_surface s(root);
-    std::vector<Index> edges = cut_of_edges_near(root, cut.surface);
-    if (options.on_edges && shorten) { edges = straighten_edge_cut(root, edges); }
+    std::vector<Index> edges = cut_of_edges_near(root, cut.surface, shorten ? 0 : 5);
+    if (shorten) { edges = straighten_edge_cut(root, edges, Path_ends::SLIDE, options.on_edges ? 5 : 3); } // fast, and a better beginning
     flag_seam(s, edges);
     cut.paths = seam_paths(s);
     if (!options.on_edges)
@@ -270,6 +271,7 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
   if (cut.genus > 0 && !is_of_edges)
   {
     Field_options field = options;
+    field.one_maximum = options.method == Cut_method::MORSE;
     if (options.method == Cut_method::GEODESIC)
       run(Stage::FIELD, [&] {
         const Node_graph g = make_node_graph(root);
@@ -290,7 +292,8 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
   }
   run(Stage::LINKS, [&] {
     if (is_of_edges) { return; }
-    if (options.on_edges && options.method != Cut_method::GENERATORS && options.method != Cut_method::MORSE)
+    if (options.on_edges && options.tightening != Tightening::GRAPH
+        && (cut.genus == 0 || (options.method != Cut_method::GENERATORS && options.method != Cut_method::MORSE)))
     {
       cut.links = link_boundaries_on_edges(cut.surface, options.links.source);
       return;

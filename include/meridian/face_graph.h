@@ -61,6 +61,28 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
   for (auto v : vertices(tm)) { put(field, v, m.field(m.graph.node[number[v]])); }
 }
 
+namespace internal {
+
+// Options with what property maps say: a field, and weights that meridians keep away from.
+template <class Options, class TriangleMesh, class NamedParameters>
+Options with_maps(Options options, const TriangleMesh& tm, const NamedParameters& np)
+{
+  using CGAL::parameters::get_parameter;
+  const auto read = [&](const auto& map, const auto& use) {
+    if constexpr (!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
+    {
+      std::vector<double> values;
+      for (auto v : vertices(tm)) { values.push_back(get(map, v)); }
+      use(std::move(values));
+    }
+  };
+  read(get_parameter(np, internal_np::field_map), [&](std::vector<double> values) { options.values = std::move(values); });
+  read(get_parameter(np, internal_np::vertex_weight_map), [&](std::vector<double> values) { options.preference = preference::low_weight(std::move(values)); });
+  return options;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
@@ -70,7 +92,8 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
  * \tparam DiscMesh a model of `MutableFaceGraph` with an internal point map; it may be another type
  * \param tm the mesh
  * \param disc receives the disc: the vertices of `tm` in their order, then new ones, then copies
- * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`)
+ * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`), `field_map` (a
+ *        `ReadablePropertyMap` from vertices to `double`: the field whose contours are cut), `vertex_weight_map` (the same: meridians keep to low weights)
  * \returns the cut, recounted
  * \pre `disc` is empty, `tm` is connected
  * \throws Invalid_input_error, Solver_error, Cancelled as the function above
@@ -78,12 +101,12 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
 template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
 Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<internal_np::cut_options_t>(static_cast<const NamedParameters*>(nullptr)),
+  static_assert(internal::uses_only<internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
                 "cut_to_disc() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = make_triangle_surface(tm);
-  Disc_cut cut = cut_to_disc(root, choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()));
+  Disc_cut cut = cut_to_disc(root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
   const Verification recount = verify_cut(root, cut);
   if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
   const Triangle_surface opened = surface_of(cut.surface, cut.opened);
@@ -128,7 +151,8 @@ void build_refined_mesh(const Disc_cut& cut, Mesh& refined, EdgeIsConstrainedMap
  * \param tm the mesh
  * \param refined receives the refined mesh: the vertices of `tm` in their order, then new ones
  * \param curves receives the vertices of each curve on `refined`, a `std::vector`: meridian, longitude, meridian, ...
- * \param np optional: `generator_options` (a `Generator_options`; its vertices are numbered in the order of `vertices(tm)`)
+ * \param np optional: `generator_options` (a `Generator_options`; its vertices are numbered in the order of `vertices(tm)`), `field_map` and
+ *        `vertex_weight_map` as for `cut_to_disc()`
  * \returns the generators, recounted
  * \pre `refined` is empty, `tm` is connected
  * \throws Invalid_input_error, Solver_error, Cancelled as the function above
@@ -137,12 +161,12 @@ template <class TriangleMesh, class RefinedMesh, class VertexOutputIterator, cla
 Generators find_generators(const TriangleMesh& tm, RefinedMesh& refined, VertexOutputIterator curves,
                            const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<internal_np::generator_options_t>(static_cast<const NamedParameters*>(nullptr)),
+  static_assert(internal::uses_only<internal_np::generator_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
                 "find_generators() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = make_triangle_surface(tm);
-  Generators g = find_generators(root, choose_parameter(get_parameter(np, internal_np::generator_options), Generator_options()));
+  Generators g = find_generators(root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::generator_options), Generator_options()), tm, np));
   const Generator_verification recount = verify_generators(root, g);
   if (!recount) { throw Internal_error("find_generators: the recount found " + recount.failures.front()); }
   const auto vertex = internal::build(g.surface.points, g.surface.triangles, refined);

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_FIELDS_H
 #define MERIDIAN_FIELDS_H
 
+#include <meridian/edge_weights.h>
 #include <meridian/eigenfunctions.h>
 #include <meridian/intrinsic_delaunay.h>
 

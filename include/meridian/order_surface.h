@@ -20,6 +20,7 @@ struct Field_options
   std::vector<Index> minima, maxima; ///< vertices where the field is 0 and 1; both empty: two vertices far apart
   std::vector<double> values; ///< one a vertex: a field to take instead of a harmonic one, such as an eigenfunction or a distance. A
                               ///< boundary loop takes the mean of its vertices. Its own extrema are kept, or `minima` and `maxima` if they are given.
+  bool one_maximum = false; ///< whether only the highest maximum is kept: descending lines leave one piece for each
   std::string values_name = "given"; ///< what `values` are, for reports
 };
 
@@ -92,6 +93,21 @@ inline Scalar_field field_of_values(const Triangle_surface& root, const Refined_
   return field;
 }
 
+// Writes the extrema that may stay: all minima, of the field if none are given, and the highest of the maxima.
+inline void keep_one_maximum(const Ordered_surface& m, std::vector<Index>& minima, std::vector<Index>& maxima)
+{
+  const Node_order order = order_nodes(m.graph, m.field);
+  const auto lower = [&](Index a, Index b) { return order.rank[a] < order.rank[b]; };
+  if (minima.empty())
+    for (Index a = 0; a < m.graph.number_of_nodes; ++a)
+    {
+      bool is_lowest = true;
+      for (Index i = m.graph.begin[a]; i < m.graph.begin[a + 1]; ++i) { is_lowest = is_lowest && !lower(m.graph.neighbor[i], a); }
+      if (is_lowest) { minima.push_back(a); }
+    }
+  maxima = {maxima.empty() ? order.nodes.back() : *std::max_element(maxima.begin(), maxima.end(), lower)};
+}
+
 } // namespace internal
 
 /*!
@@ -161,7 +177,10 @@ Ordered_surface order_surface(const Triangle_surface& root, const Field_options&
                 ? solve_harmonic_field<GeneralTraits>(m.surface, m.graph, weights, prescribed)
                 : solve_harmonic_field<SymmetricTraits>(m.surface, m.graph, weights, prescribed);
   });
-  run(Stage::ORDER, [&] { order_by_field(root, m, minima, maxima); });
+  run(Stage::ORDER, [&] {
+    if (options.one_maximum && maxima.size() != 1) { internal::keep_one_maximum(m, minima, maxima); }
+    order_by_field(root, m, minima, maxima);
+  });
   return m;
 }
 

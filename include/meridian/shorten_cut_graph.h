@@ -40,8 +40,9 @@ inline double network_length(const Normal_curves& curves)
   return sum;
 }
 
-// Moves all vertices of a network, and parts and joins them, until no pass gains more than the least gain.
-inline void move_vertices(Normal_curves& curves, const Tighten_options& options)
+// Moves all vertices of a network, and parts and joins them, until no pass gains more than the least gain. `pause` is called between
+// moves; it may throw.
+inline void move_vertices(Normal_curves& curves, const Tighten_options& options, const std::function<void()>& pause)
 {
   for (int pass = 0; pass < options.passes; ++pass)
   {
@@ -50,7 +51,10 @@ inline void move_vertices(Normal_curves& curves, const Tighten_options& options)
     for (Index c = 0; c < curves.number_of_curves(); ++c)
       if (curves.is_open(c)) { for (bool is_last : {false, true}) { vertices.insert(curves.vertex({c, is_last})); } }
     for (Index v : vertices)
+    {
+      pause();
       for (std::optional<Index> at = v; at && !curves.ends_at(*at).empty();) { at = move_vertex(curves, *at, options); }
+    }
     for (Index c = 0; c < curves.number_of_curves(); ++c)
       if (curves.is_open(c) && curves.nearest({c, false}) < 0) { exchange_neighbors(curves, c, options); }
     tighten_curves(curves, options);
@@ -102,11 +106,12 @@ inline std::vector<Surface_curve> place_network(const Normal_curves& curves)
  * \param paths the graph: vertices joined by edges inside the surface, as from `seam_paths()`
  * \param options see there
  *
- * \returns the curves of the graph; their ends are vertices of `root`
+ * \returns the curves of the graph, not longer than it was; their ends are vertices of `root`
  * \pre `root` is connected; cutting along the paths leaves one disc; no path dangles
  * \throws Internal_error if the paths leave anything but a disc
  * \par Complexity
- * \f$ O(n \log n) \f$ for each round of exchanges, and linear in the crossings of the curves that a move changes
+ * \f$ O(n \log n) \f$ for each round of exchanges and the size of the graph for each of them, and linear in the crossings of the curves that a move
+ * changes
  */
 inline std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
                                                     const Tighten_options& options = Tighten_options())
@@ -114,7 +119,8 @@ inline std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root
   Normal_curves curves(root, 0);
   internal::add_paths(curves, paths);
   if (curves.number_of_curves() == 0) { return {}; }
-  const auto tell = [&](double done) { if (options.progress) { options.progress(done); } };
+  double done = 0;
+  const auto pause = [&] { if (options.progress) { options.progress(done); } };
   Tighten_options quiet = options;
   quiet.progress = nullptr;
   tighten_curves(curves, quiet);
@@ -122,21 +128,29 @@ inline std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root
   double last = internal::network_length(curves);
   for (int round = 0; round < options.rounds; ++round)
   {
-    tell(static_cast<double>(round) / options.rounds);
-    internal::move_vertices(curves, quiet);
-    for (double before = internal::network_length(curves); exchange.run(quiet) > 0;)
+    done = static_cast<double>(round) / options.rounds;
+    internal::move_vertices(curves, quiet, pause);
+    for (double before = internal::network_length(curves); exchange.run(quiet, pause) > 0;)
     {
       const double now = internal::network_length(curves);
       if (!(now < (1 - options.least_gain) * before)) { break; }
       before = now;
-      tell((round + 0.5) / options.rounds);
     }
     tighten_curves(curves, quiet);
     const double now = internal::network_length(curves);
     if (!(now < (1 - options.least_gain) * last)) { break; }
     last = now;
   }
-  return internal::place_network(curves);
+  std::vector<Surface_curve> placed = internal::place_network(curves), as_given;
+  double before = 0, after = 0;
+  for (const auto& path : paths)
+  {
+    auto& curve = as_given.emplace_back();
+    for (Index v : path) { curve.points.push_back(Curve_point::on_vertex(v)); }
+    before += length(root, curve);
+  }
+  for (const Surface_curve& curve : placed) { after += length(root, curve); }
+  return after < before ? placed : as_given; // where faces have no area, the places of crossings may cost more than was gained
 }
 
 } // namespace meridian

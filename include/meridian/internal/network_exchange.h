@@ -54,11 +54,11 @@ inline std::vector<Disc_side> walk_around(const Normal_curves& curves, std::vect
   return sides;
 }
 
-// Takes out what dangles from a vertex, and the vertex itself if it lies inside a curve only. Returns the curve that took its place, or -1.
-inline Index tidy_vertex(Normal_curves& curves, Index v)
+// Takes out what dangles from a vertex, and the vertex itself if it lies inside a curve only.
+inline void tidy_vertex(Normal_curves& curves, Index v)
 {
   const Triangle_surface& s = curves.surface();
-  if (s.is_boundary_vertex(v)) { return -1; }
+  if (s.is_boundary_vertex(v)) { return; }
   const auto ends = curves.ends_at(v);
   if (ends.size() == 1)
   {
@@ -66,18 +66,15 @@ inline Index tidy_vertex(Normal_curves& curves, Index v)
     curves.remove(ends[0].curve);
     return tidy_vertex(curves, far);
   }
-  if (ends.size() != 2 || ends[0].curve == ends[1].curve) { return -1; }
+  if (ends.size() != 2 || ends[0].curve == ends[1].curve) { return; }
   const Network_star star = make_star(curves, v);
   auto right = spokes_between(star, star.arms[1].at, star.arms[0].at); // from one arm to the other, on either side of the vertex
   auto left = spokes_between(star, star.arms[0].at, star.arms[1].at);
   if (star.arms[0].at == star.arms[1].at) { left.clear(); } // both leave through one corner
-  if (right.size() < left.size())
-  {
-    for (Index& h : right) { h = s.opposite[h]; }
-    return curves.splice(star.arms[1].end, star.arms[0].end, right);
-  }
-  for (Index& h : left) { h = s.opposite[h]; }
-    return curves.splice(star.arms[0].end, star.arms[1].end, left);
+  const bool on_right = right.size() < left.size();
+  for (auto* way : {&left, &right})
+    for (Index& h : *way) { h = s.opposite[h]; }
+  curves.splice(star.arms[on_right].end, star.arms[!on_right].end, on_right ? right : left);
 }
 
 // Finds new curves through the disc that a network leaves of its surface. One that ends on different sides of an old curve may take its place.
@@ -86,8 +83,8 @@ class Network_exchange
 public:
   explicit Network_exchange(Normal_curves& curves) : m_curves(curves), m_surface(curves.surface()), m_plain(m_surface.number_of_halfedges()) {}
 
-  // Puts shorter curves in the place of others. Returns how many.
-  int run(const Tighten_options& options)
+  // Puts shorter curves in the place of others. Returns how many. `pause` is called between tries; it may throw.
+  int run(const Tighten_options& options, const std::function<void()>& pause)
   {
     grow();
     std::vector<std::pair<double, const Candidate*>> order;
@@ -98,7 +95,11 @@ public:
     }
     std::stable_sort(order.begin(), order.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
     int exchanged = 0;
-    for (const auto& [gain, c] : order) { exchanged += try_exchange(*c, options); }
+    for (const auto& [gain, c] : order)
+    {
+      pause();
+      exchanged += try_exchange(*c, options);
+    }
     return exchanged;
   }
 
@@ -136,6 +137,7 @@ private:
   {
     const Index e = m_curves.edge(x);
     const auto& list = m_curves.on(e);
+    if (list.empty()) { return -1; } // it was taken out since
     const auto is_usable = [&](Index v) { return !m_surface.is_boundary_vertex(v) && m_curves.ends_at(v).empty(); };
     const bool first = list.front() == x && is_usable(m_surface.source(e)), last = list.back() == x && is_usable(m_surface.target(e));
     if (first && (!last || m_curves[x].t <= 0.5)) { return m_surface.source(e); }
@@ -147,6 +149,13 @@ private:
     std::vector<std::size_t> begin;
     m_sides = walk_around(m_curves, begin);
     if (begin.size() != 1) { throw Internal_error("Network_exchange: the network leaves " + std::to_string(begin.size()) + " pieces and not a disc"); }
+    m_place.resize(m_curves.number_of_curves());
+    m_boundary_place.clear();
+    for (std::size_t i = 0; i < m_sides.size(); ++i)
+    {
+      if (m_sides[i].curve >= 0) { m_place[m_sides[i].curve][m_sides[i].is_forward] = i; }
+      else { m_boundary_place[m_sides[i].corner] = i; }
+    }
     m_length.resize(m_curves.number_of_curves());
     for (Index c = 0; c < m_curves.number_of_curves(); ++c) { if (m_curves.is_open(c)) { m_length[c] = curve_length(m_curves, c); } }
   }
@@ -180,6 +189,7 @@ private:
         start(g, distance(m_surface.points[v], point(g)), {v, -1, side});
       }
     };
+    std::unordered_map<Index, Network_star> stars;
     for (std::size_t i = 0; i < m_sides.size(); ++i)
     {
       const Disc_side& side = m_sides[i];
@@ -199,7 +209,9 @@ private:
         }
       }
       const Disc_side& next = m_sides[(i + 1) % m_sides.size()]; // the corner between this side and the next
-      const Network_star star = make_star(m_curves, side.corner);
+      const auto [known, is_new] = stars.try_emplace(side.corner);
+      if (is_new) { known->second = make_star(m_curves, side.corner); }
+      const Network_star& star = known->second;
       const auto arm_of = [&](const Disc_side& of, bool is_last) {
         return std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& arm) { return arm.end == Network_end{of.curve, is_last}; });
       };
@@ -229,7 +241,7 @@ private:
           if (there.is_done)
           {
             const std::size_t a = m_roots[here.root].side, b = m_roots[there.root].side;
-            if (a == b || here.face == face) { return; }
+            if (a == b || here.face == face || there.face == face) { return; } // the way would turn back
             Candidate& c = m_candidates[{std::min(a, b), std::max(a, b)}];
             if (d + there.distance < c.length) { c = {d + there.distance, gap, to, face, {known_as(here.root), known_as(there.root)}}; }
             return;
@@ -255,18 +267,29 @@ private:
     std::array<std::size_t, 2> at;
     for (int i = 0; i < 2; ++i)
     {
-      Index corner = c.sides[i].corner;
-      while (c.sides[i].curve < 0 && m_curves.ends_at(corner).empty()) { corner = m_surface.target(m_surface.outgoing[corner]); }
-      at[i] = std::find_if(m_sides.begin(), m_sides.end(), [&](const Disc_side& side) {
-        return side.curve == c.sides[i].curve && (side.curve < 0 ? side.corner == corner : side.is_forward == c.sides[i].is_forward);
-      }) - m_sides.begin();
-      if (at[i] == m_sides.size()) { return {-1, 0}; }
+      const Disc_side& side = c.sides[i];
+      if (side.curve >= 0)
+      {
+        if (!m_curves.is_open(side.curve)) { return {-1, 0}; }
+        at[i] = m_place[side.curve][side.is_forward];
+        continue;
+      }
+      Index corner = side.corner;
+      while (m_curves.ends_at(corner).empty()) { corner = m_surface.target(m_surface.outgoing[corner]); }
+      at[i] = m_boundary_place.at(corner);
     }
-    std::map<Index, int> seen;
-    for (std::size_t i = std::min(at[0], at[1]) + 1; i < std::max(at[0], at[1]); ++i) { if (m_sides[i].curve >= 0) { ++seen[m_sides[i].curve]; } }
+    const std::size_t n = m_sides.size();
+    std::size_t from = std::min(at[0], at[1]), to = std::max(at[0], at[1]);
+    if (from == to) { return {-1, 0}; }
+    if (2 * (to - from) > n) { std::swap(from, to); } // the shorter way round
+    const auto steps = [&](std::size_t place) { return (place + n - from) % n; };
     std::pair<Index, double> best{-1, 0};
-    for (const auto& [curve, count] : seen)
-      if (count == 1 && curve != c.sides[0].curve && curve != c.sides[1].curve && m_length[curve] > best.second) { best = {curve, m_length[curve]}; }
+    for (std::size_t i = (from + 1) % n; i != to; i = (i + 1) % n)
+    {
+      const Index curve = m_sides[i].curve;
+      if (curve < 0 || curve == c.sides[0].curve || curve == c.sides[1].curve || !(m_length[curve] > best.second)) { continue; }
+      if (steps(m_place[curve][!m_sides[i].is_forward]) > steps(to)) { best = {curve, m_length[curve]}; } // its other side is beyond
+    }
     return best;
   }
 
@@ -315,6 +338,8 @@ private:
     while (first < last && touches(m_surface, steps[first].halfedge, v)) { ++first; }
     while (first < last && touches(m_surface, steps[last - 1].halfedge, w)) { --last; }
     steps = {steps.begin() + first, steps.begin() + last};
+    for (const Gap& g : way) // an exchange before this one may have put a curve's end in the way
+      for (Index u : {m_surface.source(g.edge), m_surface.target(g.edge)}) { if (m_changed_vertices.count(u) > 0) { return false; } }
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
       for (Index u : {v, w}) { if (touches(m_surface, steps[i].halfedge, u)) { return false; } }
@@ -354,6 +379,7 @@ private:
     for (Index curve = known; curve < m_curves.number_of_curves(); ++curve)
       if (m_curves.is_open(curve))
       {
+        if (!m_curves.is_disjoint(curve)) { return false; }
         tighten_curve(m_curves, curve, options);
         gain -= curve_length(m_curves, curve);
       }
@@ -370,6 +396,8 @@ private:
   Normal_curves& m_curves;
   const Triangle_surface& m_surface;
   std::vector<Disc_side> m_sides;
+  std::vector<std::array<std::size_t, 2>> m_place;        // of each curve's sides among them
+  std::unordered_map<Index, std::size_t> m_boundary_place; // of pieces of boundary, by the vertex after them
   std::vector<double> m_length; // of each curve; 0 if it is gone
   std::vector<Root> m_roots;
   std::set<Index> m_changed_edges, m_changed_vertices; // since the cells were grown
