@@ -86,7 +86,8 @@ std::string format_view(const std::string& title, const Examination& examination
   }
   std::ostringstream caption;
   caption << cuts.size() << (cuts.size() == 1 ? " component" : " components") << ", genus " << genus << ", " << loops << " boundary loops; cut length " << length;
-  return page::format_page(title, caption.str(), "links", parts, curves, assembled);
+  const bool has_paths = std::any_of(cuts.begin(), cuts.end(), [](const Disc_cut& cut) { return !cut.paths.empty(); });
+  return page::format_page(title, caption.str(), has_paths ? "paths" : "links", parts, curves, assembled);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "support/run_program.h"
 #include "support/sample_surfaces.h"
 
+#include "files/read_mesh.h"
 #include "files/write_mesh.h"
 
 #include <nlohmann/json.hpp>
@@ -306,3 +307,80 @@ BOOST_FIXTURE_TEST_CASE(the_page_shows_the_surface_and_the_cut_without_an_error,
     if (contains(line, "CONSOLE")) { BOOST_TEST((!contains(line, "ERROR") && !contains(line, "Error") && !contains(line, "Uncaught")), line); }
 }
 #endif
+
+// Every choice of a field, a preference and a method gives a result that its own files verify; the report names it.
+BOOST_FIXTURE_TEST_CASE(choices_are_verified_and_reported, Fixture)
+{
+  std::string numbers;
+  const auto vertices = pipeline::run(files::read_mesh((folder() / "mesh.obj").string())).examination.components[0].surface.number_of_vertices();
+  for (Index v = 0; v < vertices; ++v) { numbers += std::to_string(v % 17) + (v % 5 ? " " : " # a comment\n"); }
+  write("values.txt", numbers);
+  for (const auto& [option, kind] : {std::pair("--field eigenfunction", "eigenfunction 3"), {"--field distance --from 5", "distance"}, {"--values values.txt", "given"},
+                                     {"--method geodesic", "distance"}, {"--extrema curved --weights intrinsic-delaunay", "harmonic"}, {"--method tree-cotree --bases 2", "none"},
+                                     {"--prefer hidden --direction 1e200 0 1e200", "harmonic"}, {"--prefer weights --vertex-weights values.txt --levels tight", "harmonic"},
+                                     {"--method morse --field eigenfunction", "eigenfunction 3"}})
+  {
+    const auto cut = meridian(std::string("cut mesh.obj -o disc.obj --report r.json ") + option);
+    BOOST_TEST(cut.status == 0);
+    BOOST_TEST(cut.error == "");
+    BOOST_TEST(meridian("verify mesh.obj disc.obj").status == 0);
+    BOOST_TEST(json("r.json")["components"][0]["field"]["kind"] == kind);
+  }
+  BOOST_REQUIRE(meridian("cut mesh.obj -o disc.obj --report r.json --curves c.obj --tighten graph").status == 0);
+  const auto graph = json("r.json")["components"][0]["cut"];
+  BOOST_TEST(graph["paths"].size() > 2u);
+  BOOST_TEST(graph["links"].empty());
+  BOOST_TEST(graph["length"].get<double>() <= graph["length_found"].get<double>());
+  BOOST_TEST(contains(program::read(folder() / "c.obj"), "g path_1\nl "));
+  BOOST_REQUIRE(meridian("cut mesh.obj -o disc.obj --report r.json --on-edges").status == 0);
+  BOOST_TEST(json("r.json")["components"][0]["cut"]["new_vertices"] == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_family_is_written_with_numbers, Fixture)
+{
+  const auto family = meridian("cut mesh.obj -o disc.obj.gz --family 5 --report r.json --curves c.obj");
+  BOOST_TEST(family.status == 0);
+  BOOST_TEST(contains(family.out, "verified: 5 different cuts"));
+  BOOST_TEST(number_of_files() == 1 + 5 * 3 + 1u);
+  const auto report = json("r.json");
+  BOOST_REQUIRE(report["family"].size() == 5u);
+  std::size_t best = 0;
+  for (const auto& member : report["family"])
+  {
+    best += member["best"] == true;
+    const auto verify = meridian("verify mesh.obj " + member["file"].get<std::string>());
+    BOOST_TEST(verify.status == 0);
+    BOOST_TEST(member["components"][0]["cut"]["euler_characteristic"] == 1);
+  }
+  BOOST_TEST(best >= 1u);
+  BOOST_TEST(report["family"][3]["file"] == "disc_03.obj.gz");
+}
+
+// Nothing that is read is written over, and nothing twice.
+BOOST_FIXTURE_TEST_CASE(choices_that_do_not_go_together_are_wrong_usage, Fixture)
+{
+  const std::string before = program::read(folder() / "mesh.obj");
+  write("v_00.obj", before);
+  write("few.txt", "1 2 3");
+  write("bad.txt", "1 two");
+  for (const char* wrong :
+       {"--family 0", "--family 2 --report d_01.obj", "--family 2 --curves d.obj", "--values few.txt --report few.txt", "--direction 0 0 0 --prefer position", "--prefer weights",
+        "--direction 1 0 0", "--eigenfunction 3", "--field eigenfunction --weights mean-value", "--field distance --weights cotangent", "--values few.txt --field distance",
+        "--extrema curved --minimum 3 --maximum 9", "--from 3", "--method geodesic --from 100000", "--on-edges --links plane", "--refine-where-needed", "--method tree-cotree --weights cotangent",
+        "--method geometry-image --prefer length", "--method morse --levels tight", "--bases 3", "--method tree-cotree --bases 3 --from 2", "--source 3 --tighten graph",
+        "--method geodesic --extrema curved", "--on-edges --refine-where-needed --tighten graph"})
+  {
+    const auto r = meridian(std::string("cut mesh.obj -o d.obj ") + wrong);
+    BOOST_TEST_CONTEXT(wrong)
+    {
+      BOOST_TEST((r.status == 64));
+      BOOST_TEST(r.error.size() > 20u);
+      BOOST_TEST(number_of_files() == 4u);
+    }
+  }
+  BOOST_TEST(meridian("cut v_00.obj -o v.obj --family 2").status == 64);
+  BOOST_TEST((program::read(folder() / "v_00.obj") == before));
+  for (const char* unusable : {"--values few.txt", "--values bad.txt", "--values none.txt", "--prefer weights --vertex-weights bad.txt", "--field eigenfunction --eigenfunction 100000"})
+    BOOST_TEST(meridian(std::string("cut mesh.obj -o d.obj ") + unusable).status == 1);
+  BOOST_TEST(program::read(folder() / "few.txt") == "1 2 3");
+}
