@@ -147,7 +147,8 @@ public:
   bool is_disjoint(Index curve) const
   {
     std::vector<Index> faces, count(m_meeting.size(), 0);
-    for (Id x : crossings(curve)) { for (Index h : {(*this)[x].halfedge, m_surface.opposite[(*this)[x].halfedge]}) { faces.push_back(m_surface.face(h)); } }
+    for (Id x : crossings(curve))
+      for (Index h : {(*this)[x].halfedge, m_surface.opposite[(*this)[x].halfedge]}) { faces.push_back(m_surface.face(h)); }
     return count_in_faces(faces, count) && (count.empty() || curve / 2 >= static_cast<Index>(count.size()) || count[curve / 2] == 0);
   }
 
