@@ -1,6 +1,8 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include <meridian/internal/tree_cotree.h>
+
 namespace data = boost::unit_test::data;
 using namespace meridian;
 
@@ -429,4 +431,43 @@ BOOST_AUTO_TEST_CASE(slivers_are_avoided)
   const auto cut = pipeline::cut(s);
   BOOST_TEST(cut.smallest_angle_before > 0.3);
   BOOST_TEST(cut.smallest_angle_after > 0.02);
+}
+
+// Tightening keeps the class of every meridian: how often it crosses the loops of a basis of homology.
+BOOST_DATA_TEST_CASE(tightened_meridians_keep_their_class, data::xrange(1, 7), genus)
+{
+  for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.15, genus), sample::punctured(sample::plate(genus, 4), {30, 90})})
+  {
+    std::vector<double> height;
+    for (const Point& p : s.points) { height.push_back(p[0] + 0.3 * p[1]); }
+    const auto m = pipeline::order(s, height, true);
+    Meridian_search search;
+    search.loops = trace_saddle_loops(m);
+    find_meridians(s, m, genus, preference::short_length, search);
+    Normal_curves curves(s, genus);
+    internal::add_contours(internal::project_crossings(s, m, search.chosen()), curves, 1);
+    const internal::Tree_cotree basis(s);
+    const auto classes = [&] {
+      std::vector<std::vector<int>> all;
+      for (Index c = 0; c < genus; ++c)
+      {
+        std::map<Index, int> flow;
+        for (Index x : curves.crossings(c)) // the walk along the vertices on its left
+        {
+          const Index from = s.target(curves[x].halfedge), to = s.target(curves[curves[x].next].halfedge);
+          if (from == to) { continue; }
+          const Index h = s.find_halfedge(from, to), g = h >= 0 ? h : s.find_halfedge(to, from);
+          flow[s.edge(g)] += s.source(s.edge(g)) == from ? 1 : -1;
+        }
+        all.push_back(basis.integrate(flow));
+      }
+      return all;
+    };
+    const auto before = classes();
+    BOOST_TEST((before != std::vector<std::vector<int>>(genus, std::vector<int>(basis.edges().size(), 0))));
+    const double length = tighten_curves(curves);
+    BOOST_TEST(length > 0);
+    BOOST_TEST((classes() == before));
+    for (Index crossings : curves.count_crossings()) { BOOST_TEST(crossings == 0); }
+  }
 }
