@@ -5,6 +5,7 @@
 #include <meridian/internal/disc_walk.h>
 
 #include <limits>
+#include <map>
 #include <queue>
 
 namespace meridian {
