@@ -53,6 +53,15 @@ struct Cut_arguments : Field_arguments
   int family = 0; // how many cuts; 0: one, as chosen
 };
 
+struct Unwrap_arguments : Cut_arguments // with a family, the best of its members
+{
+  std::string parameterization = "symmetric-dirichlet", border = "circle";
+  bool has_border = false;
+  double stretch_weight = 0, max_stretch = 0;
+  std::string layout, texture, distortion; // paths, or empty
+  int geometry_image = 0;                  // pixels along a side, or 0
+};
+
 struct Generator_arguments : Field_arguments
 {
   std::string basis = "pairs", longitudes = "flow", mode = "closed";
@@ -64,6 +73,7 @@ struct Verify_arguments : Common_arguments { std::string mesh, result; };
 int run_info(const Info_arguments& arguments);
 int run_cut(const Cut_arguments& arguments);
 int run_family(const Cut_arguments& arguments);
+int run_unwrap(const Unwrap_arguments& arguments);
 int run_generators(const Generator_arguments& arguments);
 int run_verify(const Verify_arguments& arguments);
 

@@ -39,6 +39,32 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
   return o;
 }
 
+std::string format_view(const std::string& title, const Examination& examination, const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
+{
+  std::vector<page::Part> parts;
+  std::vector<page::Curve> curves;
+  int genus = 0, loops = 0;
+  double length = 0;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+  {
+    parts.push_back({examination.components[i].surface, cuts[i].surface, cuts[i].field});
+    for (const auto& m : cuts[i].meridians) { curves.push_back({page::Curve::MERIDIAN, i, m, true, "", {}}); }
+    for (const auto& l : cuts[i].longitudes) { curves.push_back({page::Curve::MERIDIAN, i, l, true, "", {}}); }
+    for (const auto& l : cuts[i].flow_lines) { curves.push_back({page::Curve::MERIDIAN, i, l, false, "", {}}); }
+    for (const auto& l : cuts[i].links) { curves.push_back({page::Curve::OTHER, i, l, false, "", {}}); }
+    for (const auto& p : cuts[i].paths) { curves.push_back({page::Curve::OTHER, i, p, false, "", {}}); }
+    genus += cuts[i].genus;
+    loops += cuts[i].boundary_loops;
+    length += examination.components[i].unit * cuts[i].length;
+  }
+  std::ostringstream caption;
+  caption << cuts.size() << (cuts.size() == 1 ? " component" : " components") << ", genus " << genus << ", " << loops << " boundary loops; cut length " << length;
+  const bool has_paths = std::any_of(cuts.begin(), cuts.end(), [](const Disc_cut& cut) { return !cut.paths.empty(); });
+  return page::format_page(title, caption.str(), has_paths ? "paths" : "links", parts, curves, assembled);
+}
+
+} // namespace
+
 std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
 {
   std::vector<Result_curve> meridians, longitudes, lines, links, paths, boundaries;
@@ -66,35 +92,8 @@ std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const A
   return meridians;
 }
 
-std::string format_view(const std::string& title, const Examination& examination, const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
-{
-  std::vector<page::Part> parts;
-  std::vector<page::Curve> curves;
-  int genus = 0, loops = 0;
-  double length = 0;
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-  {
-    parts.push_back({examination.components[i].surface, cuts[i].surface, cuts[i].field});
-    for (const auto& m : cuts[i].meridians) { curves.push_back({page::Curve::MERIDIAN, i, m, true, "", {}}); }
-    for (const auto& l : cuts[i].longitudes) { curves.push_back({page::Curve::MERIDIAN, i, l, true, "", {}}); }
-    for (const auto& l : cuts[i].flow_lines) { curves.push_back({page::Curve::MERIDIAN, i, l, false, "", {}}); }
-    for (const auto& l : cuts[i].links) { curves.push_back({page::Curve::OTHER, i, l, false, "", {}}); }
-    for (const auto& p : cuts[i].paths) { curves.push_back({page::Curve::OTHER, i, p, false, "", {}}); }
-    genus += cuts[i].genus;
-    loops += cuts[i].boundary_loops;
-    length += examination.components[i].unit * cuts[i].length;
-  }
-  std::ostringstream caption;
-  caption << cuts.size() << (cuts.size() == 1 ? " component" : " components") << ", genus " << genus << ", " << loops << " boundary loops; cut length " << length;
-  const bool has_paths = std::any_of(cuts.begin(), cuts.end(), [](const Disc_cut& cut) { return !cut.paths.empty(); });
-  return page::format_page(title, caption.str(), has_paths ? "paths" : "links", parts, curves, assembled);
-}
-
-} // namespace
-
 void check_cut_arguments(const Cut_arguments& a)
 {
-  files::check_writable_format(a.out);
   check_arguments(a);
   const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
   const bool is_of_edges = a.method == "tree-cotree" || a.method == "geometry-image", has_field = !a.values.empty() || a.field != "harmonic";
@@ -128,6 +127,11 @@ std::vector<Cut_options> cut_options(const Cut_arguments& arguments, const Loade
 
 Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal)
 {
+  return conclude_cut(loaded, std::move(cuts), options, terminal, [&](const Assembled_result& assembled) { return verify_cut(loaded.soup, assembled.mesh); });
+}
+
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal, const Recount& recount)
+{
   Cut_result r;
   r.cuts = std::move(cuts);
   auto begin = std::chrono::steady_clock::now();
@@ -135,7 +139,7 @@ Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, c
   r.seconds_assembling = since(begin);
   terminal.stage_started(Stage::VERIFY);
   begin = std::chrono::steady_clock::now();
-  r.verification = verify_cut(loaded.soup, r.assembled.mesh);
+  r.verification = recount(r.assembled);
   r.seconds_verifying = since(begin);
   for (std::size_t i = 0; i < r.cuts.size(); ++i)
   {
@@ -159,6 +163,7 @@ void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loa
 
 int run_cut(const Cut_arguments& arguments)
 {
+  files::check_writable_format(arguments.out);
   check_cut_arguments(arguments);
   Terminal terminal(arguments.quiet);
   const Loaded_mesh loaded = load_mesh(arguments);

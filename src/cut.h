@@ -10,6 +10,8 @@
 
 #include <meridian/assemble_result.h>
 
+#include <functional>
+
 namespace meridian {
 namespace program {
 
@@ -30,7 +32,13 @@ struct Cut_result
   int genus = 0, loops = 0;
   double seconds_assembling = 0, seconds_verifying = 0;
 };
+// `recount` verifies what was put together.
+using Recount = std::function<Verification(const Assembled_result&)>;
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal, const Recount& recount);
 Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal);
+
+// The curves of all components as they are written.
+std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled);
 
 // The mesh, its map, the curves and the page, at the paths of the arguments.
 void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded, const Cut_result& result);

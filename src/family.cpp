@@ -31,6 +31,7 @@ struct Row { std::string name, file; double length; std::size_t new_vertices; do
 
 int run_family(const Cut_arguments& arguments)
 {
+  files::check_writable_format(arguments.out);
   check_cut_arguments(arguments);
   std::vector<std::string> written{arguments.report};
   for (int i = 0; i < arguments.family; ++i)

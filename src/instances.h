@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The library for the default solvers, compiled once in instances.cpp.
+// The library for the default solvers, compiled once in instances.cpp and map_instances.cpp.
 #ifndef MERIDIAN_INSTANCES_H
 #define MERIDIAN_INSTANCES_H
 
 #include <meridian/cut_to_disc.h>
 #include <meridian/fields.h>
 #include <meridian/shortest_basis.h>
+#include <meridian/unwrap_surface.h>
 
 namespace meridian {
 
@@ -16,6 +17,9 @@ extern template Homology_basis find_shortest_basis<>(const Triangle_surface&, co
 extern template std::vector<double> eigenfunction_field<>(const Triangle_surface&, int, Weights);
 extern template std::pair<Index, Index> find_curved_vertices<>(const Triangle_surface&, int, Weights);
 extern template std::vector<double> geodesic_distance<>(const Triangle_surface&, const std::vector<Index>&);
+
+extern template Parameterization parameterize_disc<>(const Triangle_surface&, const Map_options&);
+extern template Unwrapping unwrap_surface<>(const Triangle_surface&, const Unwrap_options&);
 
 } // namespace meridian
 

@@ -95,30 +95,52 @@ int main(int argc, char** argv)
       ->expected(3)->type_name("X Y Z")->group(meridians);
   };
 
+  // What the commands share that cut.
+  const auto add_cut = [&](CLI::App& command, Cut_arguments& a) {
+    command.add_option("--view", a.view, "write a page that shows the result in a browser")->type_name("FILE");
+    command.add_option("--curves", a.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
+    add_common(command, a);
+    command.add_flag("--repair", a.repair, repair_help);
+    add_field(command, a);
+    command.add_option("--method", a.method, "what cuts the handles: a contour each, a meridian and a longitude each, the descending flow lines of all saddles, contours of the geodesic distance, shortest loops of edges at a base point, or the edges left when faces are removed")
+      ->check(CLI::IsMember({"contours", "generators", "morse", "geodesic", "tree-cotree", "geometry-image"}))->capture_default_str();
+    command.add_option("--bases", a.bases, "with --method tree-cotree: how many base points are tried, unless --from names one")->check(CLI::Range(1, 1000000000))->capture_default_str();
+    command.add_option("--tighten", a.tighten, "shorten nothing, the curves within their classes, or the whole graph, whose vertices then move and whose paths may change places")
+      ->check(CLI::IsMember({"no", "curves", "graph"}))->capture_default_str();
+    command.add_flag("--on-edges", a.on_edges, "cut existing edges only, so that there are no new vertices");
+    command.add_flag("--refine-where-needed", a.refine_where_needed, "with --on-edges: divide the triangles where the mesh is too coarse for disjoint loops of edges");
+    command.add_option("--join", a.join, "with --method generators: join the pairs by shortest paths on the surface, along the quasi Morse-Smale complex, or along its paths between the meridians' saddles")
+      ->check(CLI::IsMember({"surface", "complex", "saddles"}))->capture_default_str()->group(links);
+    command.add_option("--links", a.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
+      ->check(CLI::IsMember({"surface", "plane"}))->capture_default_str()->group(links);
+    command.add_flag("--bifurcations", a.bifurcations, "let links end on other links, which makes the cut shorter")->group(links);
+    command.add_option("--source", a.source, "a vertex of MESH that the links shall pass through")->type_name("V")->group(links);
+  };
+
   Cut_arguments cut;
   CLI::App* cut_command = app.add_subcommand("cut", "open a mesh into a disc, one for each component, along a cut graph");
   cut_command->add_option("MESH", cut.mesh, "the mesh file")->required();
   cut_command->add_option("-o,--output", cut.out, "the opened mesh: OFF, OBJ, PLY or VTP; its map back to MESH is written beside it")->required()->type_name("OUT");
-  cut_command->add_option("--view", cut.view, "write a page that shows the cut in a browser")->type_name("FILE");
-  cut_command->add_option("--curves", cut.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
-  add_common(*cut_command, cut);
-  cut_command->add_flag("--repair", cut.repair, repair_help);
-  add_field(*cut_command, cut);
-  cut_command->add_option("--method", cut.method, "what cuts the handles: a contour each, a meridian and a longitude each, the descending flow lines of all saddles, contours of the geodesic distance, shortest loops of edges at a base point, or the edges left when faces are removed")
-    ->check(CLI::IsMember({"contours", "generators", "morse", "geodesic", "tree-cotree", "geometry-image"}))->capture_default_str();
-  cut_command->add_option("--bases", cut.bases, "with --method tree-cotree: how many base points are tried, unless --from names one")->check(CLI::Range(1, 1000000000))->capture_default_str();
-  cut_command->add_option("--tighten", cut.tighten, "shorten nothing, the curves within their classes, or the whole graph, whose vertices then move and whose paths may change places")
-    ->check(CLI::IsMember({"no", "curves", "graph"}))->capture_default_str();
-  cut_command->add_flag("--on-edges", cut.on_edges, "cut existing edges only, so that there are no new vertices");
-  cut_command->add_flag("--refine-where-needed", cut.refine_where_needed, "with --on-edges: divide the triangles where the mesh is too coarse for disjoint loops of edges");
+  add_cut(*cut_command, cut);
   cut_command->add_option("--family", cut.family, "find N different cuts: fields, preferences, levels and methods change. They are written to OUT with a number before its ending")
     ->check(CLI::Range(1, 1000000000))->type_name("N");
-  cut_command->add_option("--join", cut.join, "with --method generators: join the pairs by shortest paths on the surface, along the quasi Morse-Smale complex, or along its paths between the meridians' saddles")
-    ->check(CLI::IsMember({"surface", "complex", "saddles"}))->capture_default_str()->group(links);
-  cut_command->add_option("--links", cut.links, "join the boundaries by shortest paths on the surface, or through a plane embedding")
-    ->check(CLI::IsMember({"surface", "plane"}))->capture_default_str()->group(links);
-  cut_command->add_flag("--bifurcations", cut.bifurcations, "let links end on other links, which makes the cut shorter")->group(links);
-  CLI::Option* source = cut_command->add_option("--source", cut.source, "a vertex of MESH that the links shall pass through")->type_name("V")->group(links);
+
+  Unwrap_arguments unwrap;
+  CLI::App* unwrap_command = app.add_subcommand("unwrap", "cut a mesh and give it texture coordinates: a chart for each component, without flipped faces");
+  unwrap_command->add_option("MESH", unwrap.mesh, "the mesh file")->required();
+  unwrap_command->add_option("-o,--output", unwrap.out, "the mesh with texture coordinates: OBJ; vertices are not doubled, seams are in the coordinates")->required()->type_name("OUT.obj");
+  const std::string plane = "The map", pictures = "Pictures";
+  unwrap_command->add_option("--parameterization", unwrap.parameterization, "one-to-one with a free border and low distortion; averages with positive weights, the same with low stretch, "
+                             "mean value coordinates, uniform averages, discrete conformal, discrete authalic; least squares conformal or as rigid as possible, both with a free border")
+    ->check(CLI::IsMember({"symmetric-dirichlet", "positive", "stretch", "mean-value", "tutte", "conformal", "authalic", "lscm", "arap"}))->capture_default_str()->group(plane);
+  unwrap_command->add_option("--border", unwrap.border, "where a border goes that is not free")->check(CLI::IsMember({"circle", "square"}))->capture_default_str()->group(plane);
+  unwrap_command->add_option("--family", unwrap.family, "try N different cuts, and take the best")->check(CLI::Range(1, 1000000000))->type_name("N");
+  unwrap_command->add_option("--stretch-weight", unwrap.stretch_weight, "what is best: the least (1 - W) length + W stretch; with W > 0 links are varied too")->check(CLI::Range(0., 1.))->type_name("W")->capture_default_str();
+  unwrap_command->add_option("--max-stretch", unwrap.max_stretch, "extend the cut to regions of high stretch until the L2 stretch is at most S")->check(CLI::Range(1., 1e300))->type_name("S");
+  unwrap_command->add_option("--svg", unwrap.layout, "draw the layout: distortion as colour, the two sides of each seam numbered alike")->type_name("FILE")->group(pictures);
+  unwrap_command->add_option("--png", unwrap.texture, "write a checkerboard, and beside OUT the material that shows it")->type_name("FILE")->group(pictures);
+  unwrap_command->add_option("--distortion", unwrap.distortion, "write the mesh as PLY or VTP with the distortion of each face")->type_name("FILE")->group(pictures);
+  add_cut(*unwrap_command, unwrap);
 
   Generator_arguments generators;
   CLI::App* generators_command = app.add_subcommand("generators", "find a meridian and a longitude around every handle");
@@ -140,7 +162,7 @@ int main(int argc, char** argv)
   generators_command->add_flag("--no-tighten", generators.no_tighten, "leave the curves as they were found");
 
   Verify_arguments verify;
-  CLI::App* verify_command = app.add_subcommand("verify", "recount a result of `cut` or `generators` from its files alone");
+  CLI::App* verify_command = app.add_subcommand("verify", "recount a result of `cut`, `unwrap` or `generators` from its files alone");
   verify_command->add_option("MESH", verify.mesh, "the mesh that the result was made from")->required();
   verify_command->add_option("RESULT", verify.result, "the result; its .map.json is expected beside it")->required();
   add_common(*verify_command, verify);
@@ -159,11 +181,20 @@ int main(int argc, char** argv)
   try
   {
     if (*info_command) { return run_info(info); }
+    const auto note_cut = [](const CLI::App& command, Cut_arguments& a) {
+      note_options(command, a);
+      a.has_source = command.count("--source") > 0;
+      a.has_bases = command.count("--bases") > 0;
+    };
+    if (*unwrap_command)
+    {
+      note_cut(*unwrap_command, unwrap);
+      unwrap.has_border = unwrap_command->count("--border") > 0;
+      return run_unwrap(unwrap);
+    }
     if (*cut_command)
     {
-      cut.has_source = source->count() > 0;
-      note_options(*cut_command, cut);
-      cut.has_bases = cut_command->count("--bases") > 0;
+      note_cut(*cut_command, cut);
       return cut.family > 0 ? run_family(cut) : run_cut(cut);
     }
     if (*generators_command)

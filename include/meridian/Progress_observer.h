@@ -12,8 +12,8 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianProgress
-/// the stages of a cut or of a search for generators, in the order they run.
-enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, FLOW, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, SHORTEN, OPEN, VERIFY };
+/// the stages of a cut, of a search for generators or of an unwrapping, in the order they run.
+enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, FLOW, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, SHORTEN, OPEN, PARAMETERIZE, VERIFY };
 
 /// \ingroup PkgMeridianProgress
 /// \returns the name of a stage as it stands in reports
@@ -34,6 +34,7 @@ inline const char* name_of(Stage stage)
   case Stage::LINKS: return "links";
   case Stage::SHORTEN: return "shorten";
   case Stage::OPEN: return "open";
+  case Stage::PARAMETERIZE: return "parameterize";
   case Stage::VERIFY: return "verify";
   }
   return "";

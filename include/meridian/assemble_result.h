@@ -12,11 +12,11 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianResults
-/// a result, and where the vertices of each refined component stand in it.
+/// a result, and where the vertices of each component stand in it.
 struct Assembled_result
 {
   Result_mesh mesh;
-  std::vector<std::vector<Index>> place; ///< for each component, of each vertex of its refined surface
+  std::vector<std::vector<Index>> place; ///< for each component, of each vertex of its refined surface, and then of each copy
 };
 
 namespace internal {
@@ -132,7 +132,6 @@ inline Assembled_result assemble_parts(const Polygon_soup& soup, const Examinati
     }
   }
   std::sort(r.seams.begin(), r.seams.end());
-  for (std::size_t i = 0; i < cuts.size(); ++i) { place[i].resize(cuts[i].surface.number_of_vertices()); }
   return result;
 }
 

@@ -80,7 +80,7 @@ std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const st
     g.halfedge[i] = h;
     g.neighbor[i] = disc.target(h);
   }
-  for (Index v = 0; v < n; ++v) { if (!is_border[v] && disc.outgoing[v] >= 0) { inner.push_back(v); } }
+  for (Index v = 0; v < n; ++v) { if (!is_border[v]) { inner.push_back(v); } }
   internal::Laplace_system<SymmetricTraits> system(g, weights);
   system.template solve<2>(inner, [&](Index v) { return at[v]; }, [&](Index v, int i, double x) { at[v][i] = x; });
   return at;

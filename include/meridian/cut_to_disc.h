@@ -155,6 +155,15 @@ inline void cut_along_edges(const Triangle_surface& root, const Cut_options& opt
   cut.paths = seam_paths(cut.surface);
 }
 
+// Takes the surface apart along its seams.
+inline void open_cut(Disc_cut& cut)
+{
+  cut.opened = open_along(cut.surface);
+  cut.length = 0;
+  for (const auto& seam : cut.opened.seams) { cut.length += cut.surface.length(seam[0]); }
+  cut.smallest_angle_after = smallest_angle(cut.surface);
+}
+
 inline double seam_length(const Refined_surface& s)
 {
   double sum = 0;
@@ -311,11 +320,7 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
   });
   cut.length_found = internal::seam_length(cut.surface);
   if (!is_disc) { internal::reshape_graph(root, options, run, cut); }
-  run(Stage::OPEN, [&] {
-    cut.opened = open_along(cut.surface);
-    for (const auto& seam : cut.opened.seams) { cut.length += cut.surface.length(seam[0]); }
-    cut.smallest_angle_after = smallest_angle(cut.surface);
-  });
+  run(Stage::OPEN, [&] { internal::open_cut(cut); });
   return cut;
 }
 

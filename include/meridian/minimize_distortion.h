@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_MINIMIZE_DISTORTION_H
 #define MERIDIAN_MINIMIZE_DISTORTION_H
 
+#include <meridian/exceptions.h>
 #include <meridian/internal/dirichlet_energy.h>
 #include <meridian/internal/scaffold.h>
 #include <meridian/solver_traits.h>
@@ -9,6 +10,7 @@
 #include <CGAL/Polygon_2_algorithms.h>
 
 #include <functional>
+#include <string>
 
 namespace meridian {
 
@@ -16,10 +18,19 @@ namespace meridian {
 /// when `minimize_distortion()` ends.
 struct Distortion_options
 {
-  int iterations = 60;                         ///< at most
-  double least_gain = 2e-4;                    ///< it ends when a step lowers the energy by a smaller part
-  std::function<void(double)> progress = {};   ///< receives the part done; may throw to cancel
+  int iterations = 100;                      ///< at most
+  double least_gain = 5e-4;                  ///< it ends when no more than this part of the energy can be gained by a step
+  std::function<void(double)> progress = {}; ///< receives the part of `iterations` done; may throw to cancel
 };
+
+/// \ingroup PkgMeridianParameterization
+/// \returns whether a polygon does not meet itself: exact
+inline bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at)
+{
+  std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2> polygon;
+  for (Index v : loop) { polygon.emplace_back(at[v][0], at[v][1]); }
+  return CGAL::is_simple_2(polygon.begin(), polygon.end());
+}
 
 namespace internal {
 
@@ -27,7 +38,7 @@ namespace internal {
 inline std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s)
 {
   double mean = 0;
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { mean += s.length(h) / std::max<Index>(s.number_of_halfedges(), 1); }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h) { mean += s.length(h) / s.number_of_halfedges(); }
   if (!(mean > 0)) { mean = 1; }
   std::vector<Rest_triangle> rest;
   for (Index f = 0; f < s.number_of_faces(); ++f)
@@ -53,126 +64,161 @@ inline Rest_triangle rest_as_is(const std::array<Index, 3>& t, const std::vector
   return r;
 }
 
+// Newton's method on the map of a disc whose image is kept a simple polygon.
 template <class SymmetricTraits>
 class Distortion_minimizer
 {
 public:
-  Distortion_minimizer(const Triangle_surface& disc, std::vector<Plane_point>& at)
-    : m_disc(disc), m_at(at), m_rest(rest_triangles(disc)), m_size(at.size())
+  Distortion_minimizer(const Triangle_surface& disc, std::vector<Plane_point>& at) : m_at(at), m_faces(rest_triangles(disc))
   {
     const auto loops = boundary_loops(disc);
     for (Index h : loops.front()) { m_loop.push_back(disc.source(h)); }
-    for (const Rest_triangle& t : m_rest) { m_area += t.weight; }
-    scale();
+    double image = 0;
+    for (const Rest_triangle& t : m_faces)
+    {
+      m_area += t.weight;
+      image += cross(m_at[t.corners[1]] - m_at[t.corners[0]], m_at[t.corners[2]] - m_at[t.corners[0]]) / 2;
+    }
+    for (Plane_point& p : m_at) { p = std::sqrt(m_area / image) * p; }
   }
 
-  // One step of Newton's method. Returns the energy before it.
-  double step(double& gain)
+  // Moves the points. Returns the part of the energy that the step could have gained, if nothing had been in its way.
+  double step()
   {
-    std::vector<Rest_triangle> ring;
-    const auto triangles = triangulate_outside(m_loop, m_at); // appends the corners of the box
-    double outside = 0;
-    for (const auto& t : triangles)
-    {
-      ring.push_back(rest_as_is(t, m_at));
-      outside += ring.back().weight;
-    }
-    for (Rest_triangle& t : ring) { t.weight = lambda * m_area / (double)ring.size(); }
-    std::vector<const Rest_triangle*> all;
-    for (const auto* list : {static_cast<const std::vector<Rest_triangle>*>(&m_rest), static_cast<const std::vector<Rest_triangle>*>(&ring)})
-      for (const Rest_triangle& t : *list) { all.push_back(&t); }
+    const std::size_t n = m_at.size();
+    // What is outside resists being squeezed. Its triangles are made anew for each step, so they can give way.
+    m_outside.clear();
+    for (const auto& t : triangulate_outside(m_loop, m_at)) { m_outside.push_back(rest_as_is(t, m_at)); }
+    for (Rest_triangle& t : m_outside) { t.weight = m_resistance * m_area / static_cast<double>(m_outside.size()); }
+    const std::vector<Plane_point> with_box = m_at;
+    m_at.resize(n);
+    std::vector<Plane_point> move(with_box.size(), {0, 0});
+    const double slope = find_direction(with_box, move);
+    const double before = energy(m_at), gain = -slope / before;
+    if (!(gain > 0)) { return 0; }
 
-    const std::size_t n = m_size;
+    const auto before_collapse = [&](const std::vector<Rest_triangle>& triangles) {
+      double length = 1;
+      for (const Rest_triangle& t : triangles) { length = std::min(length, step_to_collapse(t, with_box, move)); }
+      return length < 1 ? 0.9 * length : 1;
+    };
+    double length = before_collapse(m_faces);
+    const double safe = std::min(length, before_collapse(m_outside)); // so far nothing outside is turned over
+    std::vector<Plane_point> next(n);
+    bool was_safe = false;
+    for (int tries = 0; tries < 80; ++tries, length /= 2)
+    {
+      if (length < safe && !was_safe)
+      {
+        length = safe;
+        was_safe = true;
+      }
+      for (std::size_t i = 0; i < n; ++i) { next[i] = m_at[i] + length * move[i]; }
+      const auto is_turned = [&](const Rest_triangle& t) { return orientation_of(next[t.corners[0]], next[t.corners[1]], next[t.corners[2]]) <= 0; };
+      if (!(energy(next) < before) || std::any_of(m_faces.begin(), m_faces.end(), is_turned) || !is_simple(m_loop, next)) { continue; }
+      m_at.swap(next);
+      if (length < 0.4) { m_resistance = std::min(8 * m_resistance, 100.); }
+      if (length > 0.8) { m_resistance = std::max(m_resistance / 2, 1e-6); }
+      return gain;
+    }
+    return 0;
+  }
+
+private:
+  double energy(const std::vector<Plane_point>& at) const
+  {
+    double sum = 0;
+    for (const Rest_triangle& t : m_faces) { sum += t.weight * symmetric_dirichlet_energy(gradient_of(t, at)); }
+    return sum;
+  }
+
+  // Newton's direction, and the slope along it. The corners of the box do not move.
+  double find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move) const
+  {
+    const std::size_t n = m_at.size();
     typename SymmetricTraits::Matrix hessian(2 * n);
     typename SymmetricTraits::Vector right(2 * n), solution(2 * n);
     for (std::size_t i = 0; i < 2 * n; ++i) { right[i] = 0; }
-    double before = 0, trace = 0;
-    for (const Rest_triangle* t : all)
-    {
-      const Map_gradient j = gradient_of(*t, m_at);
-      before += t->weight * symmetric_dirichlet_energy(j);
-      const Energy_derivatives d = derive_energy(*t, j);
-      std::array<Index, 6> row;
-      for (int k = 0; k < 6; ++k) { row[k] = 2 * t->corners[k / 2] + k % 2; }
+    double trace = 0;
+    const auto add = [&](const Rest_triangle& t) {
+      const Energy_derivatives d = derive_energy(t, gradient_of(t, at));
+      const auto row = [&](int k) { return 2 * t.corners[k / 2] + k % 2; };
       for (int k = 0; k < 6; ++k)
       {
-        if (t->corners[k / 2] >= static_cast<Index>(n)) { continue; }
-        right[row[k]] -= t->weight * d.gradient[k];
+        if (t.corners[k / 2] >= static_cast<Index>(n)) { continue; }
+        right[row(k)] -= t.weight * d.gradient[k];
         for (int l = 0; l < 6; ++l)
         {
-          if (row[l] > row[k] || t->corners[l / 2] >= static_cast<Index>(n)) { continue; }
+          if (row(l) > row(k) || t.corners[l / 2] >= static_cast<Index>(n)) { continue; }
           double entry = 0;
           for (const Hessian_mode& mode : d.modes) { entry += mode.lambda * mode.q[k] * mode.q[l]; }
-          hessian.add_coef(row[k], row[l], t->weight * entry);
-          if (k == l) { trace += t->weight * entry; }
+          hessian.add_coef(row(k), row(l), t.weight * entry);
+          if (k == l) { trace += t.weight * entry; }
         }
       }
+    };
+    for (const Rest_triangle& t : m_faces) { add(t); }
+    for (const Rest_triangle& t : m_outside) { add(t); }
+    // A little is added to the diagonal, and more if rounding made the matrix indefinite.
+    double added = 1e-12 * trace / static_cast<double>(2 * n), denominator = 1;
+    for (int tries = 0;; ++tries, added *= 100)
+    {
+      for (std::size_t i = 0; i < 2 * n; ++i) { hessian.add_coef(i, i, added); }
+      SymmetricTraits solver;
+      if (solver.factor(hessian, denominator) && solver.linear_solver(right, solution)) { break; }
+      if (tries == 6)
+        throw Solver_error("the system of " + std::to_string(2 * n) + " equations for a map of low distortion cannot be factorized; a map into a circle needs less");
     }
-    for (std::size_t i = 0; i < 2 * n; ++i) { hessian.add_coef(i, i, 1e-12 * trace / static_cast<double>(2 * n)); }
-    SymmetricTraits solver;
-    double denominator = 1;
-    if (!solver.factor(hessian, denominator) || !solver.linear_solver(right, solution))
-      throw Solver_error("the system of " + std::to_string(2 * n) + " equations for a map of low distortion cannot be factorized");
-    std::vector<Plane_point> move(m_at.size(), {0, 0});
     double slope = 0;
     for (std::size_t i = 0; i < n; ++i)
     {
       move[i] = {solution[2 * i] / denominator, solution[2 * i + 1] / denominator};
       slope -= move[i][0] * right[2 * i] + move[i][1] * right[2 * i + 1];
     }
-
-    double length = 1, limit = 1;
-    for (const Rest_triangle& t : m_rest) { length = std::min(length, step_to_collapse(t, m_at, move)); }
-    if (length < 1) length *= 0.9;
-    for (const Rest_triangle& t : ring) { limit = std::min(limit, 0.9 * step_to_collapse(t, m_at, move)); }
-    limit = std::min(limit, length);
-    gain = 0;
-    double inside = 0;
-    for (const Rest_triangle& t : m_rest) { inside += t.weight * symmetric_dirichlet_energy(gradient_of(t, m_at)); }
-    std::vector<Plane_point> next = m_at;
-    tries = 0;
-    for (bool last = false; tries < 80; ++tries, length /= 2)
-    {
-      if (length < limit && !last) { length = limit; last = true; }
-      for (std::size_t i = 0; i < n; ++i) { next[i] = m_at[i] + length * move[i]; }
-      double after = 0;
-      for (const Rest_triangle& t : m_rest) { after += t.weight * symmetric_dirichlet_energy(gradient_of(t, next)); }
-      if (!(after < inside)) { continue; }
-      const auto is_turned = [&](const Rest_triangle& t) { return orientation_of(next[t.corners[0]], next[t.corners[1]], next[t.corners[2]]) <= 0; };
-      if (std::any_of(m_rest.begin(), m_rest.end(), is_turned)) { continue; }
-      std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2> polygon;
-      for (Index v : m_loop) { polygon.emplace_back(next[v][0], next[v][1]); }
-      if (!CGAL::is_simple_2(polygon.begin(), polygon.end())) { continue; }
-      gain = (inside - after) / inside;
-      m_at.swap(next);
-      break;
-    }
-    if (length < 0.4) { lambda = std::min(lambda * 8, 1e2); } if (length > 0.8) { lambda = std::max(lambda / 2, 1e-6); }
-    before = inside; m_predicted = -slope / inside;
-    m_at.resize(n);
-    m_length = length;
-    return before;
+    return slope;
   }
 
-  // Gives the image the area of the surface, about the origin.
-  void scale()
-  {
-    double area = 0;
-    for (const Rest_triangle& t : m_rest) { area += cross(m_at[t.corners[1]] - m_at[t.corners[0]], m_at[t.corners[2]] - m_at[t.corners[0]]) / 2; }
-    const double factor = std::sqrt(m_area / area);
-    for (Plane_point& p : m_at) { p = factor * p; }
-  }
-  double m_length = 0, m_predicted = 0, lambda = 1e-2; int tries = 0;
-  double m_area = 0;
-private:
-  const Triangle_surface& m_disc;
   std::vector<Plane_point>& m_at;
-  std::vector<Rest_triangle> m_rest;
-  std::size_t m_size;
+  const std::vector<Rest_triangle> m_faces;
+  std::vector<Rest_triangle> m_outside;
   std::vector<Index> m_loop;
+  double m_area = 0;
+  double m_resistance = 0.01;
 };
 
 } // namespace internal
+
+/*!
+ * \ingroup PkgMeridianParameterization
+ *
+ * lowers the distortion of a map whose border may move.
+ *
+ * The symmetric Dirichlet energy (Smith, Schaefer 2015) is minimized by Newton's method with the Hessian's negative part left out (Smith, de Goes, Kim 2019).
+ * The plane outside of the image is triangulated and resists too, so that the border does not run into itself (Jiang, Schaefer, Panozzo
+ * 2017). A step is taken only if no face is turned over and the border is a simple polygon, both decided exactly: then the map
+ * is one-to-one.
+ *
+ * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
+ * \param disc the surface
+ * \param at the image of each vertex; the area of the image becomes about that of the surface
+ * \param options see there
+ *
+ * \pre `disc` is a disc; in `at` no face is turned over or without area, and the border is a simple polygon
+ * \throws Solver_error if a step cannot be solved
+ * \par Complexity
+ * One factorization of twice as many equations as vertices for each step.
+ */
+template <class SymmetricTraits = Symmetric_solver_traits>
+void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options = Distortion_options())
+{
+  internal::Distortion_minimizer<SymmetricTraits> minimizer(disc, at);
+  for (int i = 0; i < options.iterations; ++i)
+  {
+    if (options.progress) { options.progress(static_cast<double>(i) / options.iterations); }
+    if (minimizer.step() < options.least_gain) { return; }
+  }
+}
+
 } // namespace meridian
 
 #endif // MERIDIAN_MINIMIZE_DISTORTION_H

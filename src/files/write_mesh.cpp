@@ -2,12 +2,12 @@
 #include "write_mesh.h"
 
 #include "Scanner.h"
+#include "Text.h"
 #include "read_mesh.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <map>
 
@@ -16,40 +16,7 @@ namespace files {
 
 namespace {
 
-class Text
-{
-public:
-  Text& operator<<(const char* s) { m_text += s; return *this; }
-  Text& operator<<(const std::string& s) { m_text += s; return *this; }
-  Text& operator<<(char c) { m_text += c; return *this; }
-  template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>> Text& operator<<(Number x)
-  {
-    char digits[40];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, x);
-    static_cast<void>(error); // 40 characters hold every number
-    m_text.append(digits, end);
-    return *this;
-  }
-  template <class Range, class Write> Text& list(const Range& range, const Write& write)
-  {
-    m_text += '[';
-    bool first = true;
-    for (const auto& x : range)
-    {
-      if (!first) { m_text += ','; }
-      first = false;
-      write(x);
-    }
-    m_text += ']';
-    return *this;
-  }
-  std::string take() { return std::move(m_text); }
-
-private:
-  std::string m_text;
-};
-
-std::string format_off(const Result_mesh& m)
+std::string format_off(const Result_mesh& m, const std::vector<Face_values>&)
 {
   Text out;
   out << "OFF\n" << m.points.size() << ' ' << m.faces.size() << " 0\n";
@@ -58,7 +25,7 @@ std::string format_off(const Result_mesh& m)
   return out.take();
 }
 
-std::string format_obj(const Result_mesh& m)
+std::string format_obj(const Result_mesh& m, const std::vector<Face_values>&)
 {
   Text out;
   for (const auto& p : m.points) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
@@ -66,31 +33,38 @@ std::string format_obj(const Result_mesh& m)
   return out.take();
 }
 
-std::string format_ply(const Result_mesh& m)
+std::string format_ply(const Result_mesh& m, const std::vector<Face_values>& values)
 {
   Text head;
   head << "ply\nformat binary_little_endian 1.0\nelement vertex " << m.points.size()
        << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << m.faces.size()
-       << "\nproperty list uchar int vertex_indices\nend_header\n";
+       << "\nproperty list uchar int vertex_indices\n";
+  for (const Face_values& v : values) { head << "property double " << v.name << '\n'; }
+  head << "end_header\n";
   std::string out = head.take();
   const std::size_t begin = out.size();
-  out.resize(begin + m.points.size() * 24 + m.faces.size() * 13);
+  out.resize(begin + m.points.size() * 24 + m.faces.size() * (13 + 8 * values.size()));
   char* at = &out[begin];
   for (const auto& p : m.points)
   {
     std::memcpy(at, p.data(), 24);
     at += 24;
   }
-  for (const auto& f : m.faces)
+  for (std::size_t f = 0; f < m.faces.size(); ++f)
   {
     *at++ = 3;
-    std::memcpy(at, f.data(), 12);
+    std::memcpy(at, m.faces[f].data(), 12);
     at += 12;
+    for (const Face_values& v : values)
+    {
+      std::memcpy(at, &v.values[f], 8);
+      at += 8;
+    }
   }
   return out;
 }
 
-std::string format_vtp(const Result_mesh& m)
+std::string format_vtp(const Result_mesh& m, const std::vector<Face_values>& values)
 {
   Text out;
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\""
@@ -101,11 +75,20 @@ std::string format_vtp(const Result_mesh& m)
   for (const auto& f : m.faces) { out << f[0] << ' ' << f[1] << ' ' << f[2] << '\n'; }
   out << "</DataArray>\n<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">\n";
   for (std::size_t i = 1; i <= m.faces.size(); ++i) { out << 3 * i << '\n'; }
-  out << "</DataArray>\n</Polys>\n</Piece>\n</PolyData>\n</VTKFile>\n";
+  out << "</DataArray>\n</Polys>\n";
+  if (!values.empty()) { out << "<CellData>\n"; }
+  for (const Face_values& v : values)
+  {
+    out << "<DataArray type=\"Float64\" Name=\"" << v.name << "\" format=\"ascii\">\n";
+    for (double x : v.values) { out << x << '\n'; }
+    out << "</DataArray>\n";
+  }
+  if (!values.empty()) { out << "</CellData>\n"; }
+  out << "</Piece>\n</PolyData>\n</VTKFile>\n";
   return out.take();
 }
 
-using Formatter = std::string (*)(const Result_mesh&);
+using Formatter = std::string (*)(const Result_mesh&, const std::vector<Face_values>&);
 
 Formatter formatter(const std::string& path)
 {
@@ -123,7 +106,7 @@ Formatter formatter(const std::string& path)
 
 void check_writable_format(const std::string& path) { formatter(path); }
 
-std::string format_mesh(const std::string& path, const Result_mesh& mesh) { return formatter(path)(mesh); }
+std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values) { return formatter(path)(mesh, values); }
 
 std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Result_curve>& curves)
 {
@@ -144,7 +127,7 @@ std::string format_curves(const std::vector<std::array<double, 3>>& points, cons
 std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<Result_curve>& curves)
 {
   Text out;
-  out << format_obj(mesh);
+  out << format_obj(mesh, {});
   for (const Result_curve& c : curves)
   {
     out << "g " << c.name << "\nl";
@@ -195,7 +178,9 @@ std::string format_map(const Result_mesh& m, Result_kind kind, const std::vector
 {
   Text out;
   const auto number = [&](auto x) { out << x; };
-  out << (kind == Result_kind::GENERATORS ? "{\n\"result\": \"generators\",\n\"copy_of\": " : "{\n\"copy_of\": ");
+  out << "{\n";
+  if (kind != Result_kind::CUT) { out << "\"result\": \"" << (kind == Result_kind::GENERATORS ? "generators" : "unwrapping") << "\",\n"; }
+  out << "\"copy_of\": ";
   out.list(m.copy_of, number) << ",\n\"origin\": ";
   out.list(m.origin, [&](const Result_origin& o) {
     out << '[' << o.index[0];
@@ -261,7 +246,9 @@ Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Res
       fields.push_back({entry.at("curve").get<std::string>(), {}, {}});
       for (const auto& value : entry.at("values")) { fields.back().field.emplace(index(value.at(0)), value.at(1).get<double>()); }
     }
-    return json.value("result", "cut") == "generators" ? Result_kind::GENERATORS : Result_kind::CUT;
+    const std::string kind = json.value("result", "cut");
+    if (kind != "cut" && kind != "generators" && kind != "unwrapping") { throw File_error(path + ": a map of an unknown result '" + kind + "'"); }
+    return kind == "generators" ? Result_kind::GENERATORS : kind == "unwrapping" ? Result_kind::UNWRAPPING : Result_kind::CUT;
   }
   catch (const nlohmann::json::exception& e) { throw File_error(path + ": not a map file: " + e.what()); }
 }

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "write_texture.h"
+
+#include "Scanner.h"
+#include "Text.h"
+#include "read_mesh.h"
+
+#include <cmath>
+
+namespace meridian {
+namespace files {
+
+namespace {
+
+// Whether the faces [first, last) of a result are the fan of polygon `p` of the input, each corner with one vertex of the opened
+// mesh in all of them. If so, `corners` receives these, in the order of the file.
+bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh, std::size_t first, std::size_t last, std::vector<std::int32_t>& corners)
+{
+  const std::size_t n = input.size(p);
+  if (n <= 3 || last - first != n - 2) { return false; }
+  std::size_t lowest = 0;
+  for (std::size_t k = 1; k < n; ++k) { if (input.corner(p, k) < input.corner(p, lowest)) { lowest = k; } }
+  corners.resize(n);
+  for (std::size_t k = 0; k < n; ++k) { corners[(lowest + k) % n] = k < 2 ? mesh.faces[first][k] : mesh.faces[first + k - 2][2]; }
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    const std::int32_t v = corners[k], of = mesh.copy_of[v];
+    if ((of < 0 ? v : of) != input.corner(p, k)) { return false; }
+  }
+  for (std::size_t k = 1; k + 1 < n; ++k)
+    if (mesh.faces[first + k - 1] != std::array<std::int32_t, 3>{corners[lowest], corners[(lowest + k) % n], corners[(lowest + k + 1) % n]}) { return false; }
+  return true;
+}
+
+// Reads the corners of a face: indices into what stands above it, from 1 on, or counted back from -1.
+class Corner_reader
+{
+public:
+  Corner_reader(Scanner& in, std::size_t vertices, std::size_t textures)
+    : m_in(in), m_vertices(static_cast<std::int64_t>(vertices)), m_textures(static_cast<std::int64_t>(textures)) {}
+
+  // The vertex and the texture vertex of a corner.
+  std::array<std::int32_t, 2> operator()(std::string_view word) const
+  {
+    const std::size_t slash = word.find('/');
+    const std::string_view rest = slash == std::string_view::npos ? std::string_view() : word.substr(slash + 1);
+    const std::string_view texture = rest.substr(0, rest.find('/'));
+    if (texture.empty()) { m_in.fail("the corner '" + std::string(word.substr(0, 40)) + "' has no texture vertex"); }
+    return {index(word.substr(0, slash), m_vertices, "vertex"), index(texture, m_textures, "texture vertex")};
+  }
+
+private:
+  std::int32_t index(std::string_view word, std::int64_t count, const char* name) const
+  {
+    const auto i = m_in.parse<std::int64_t>(word, name);
+    const std::int64_t place = i < 0 ? count + i : i - 1; // 0 is no index
+    if (place < 0 || place >= count)
+      m_in.fail("a corner names " + std::string(name) + " " + std::to_string(i) + ", and " + std::to_string(count) + " stand above it");
+    return static_cast<std::int32_t>(place);
+  }
+
+  Scanner& m_in;
+  std::int64_t m_vertices, m_textures;
+};
+
+template <std::size_t N> std::array<double, N> read_coordinates(Scanner& in, const char* what)
+{
+  std::array<double, N> p;
+  for (double& x : p)
+  {
+    if (in.at_line_end()) { in.fail(std::string(what) + " has fewer than " + std::to_string(N) + " coordinates"); }
+    x = in.real("a coordinate");
+    if (!std::isfinite(x)) { in.fail(std::string(what) + " has a coordinate that is not a finite number"); }
+  }
+  return p;
+}
+
+} // namespace
+
+std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture,
+                             const std::string& material_library)
+{
+  Text out;
+  if (!material_library.empty()) { out << "mtllib " << material_library << '\n'; }
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+  {
+    const auto& p = mesh.points[v];
+    if (mesh.copy_of[v] < 0) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
+  }
+  for (const auto& t : texture) { out << "vt " << t[0] << ' ' << t[1] << '\n'; }
+  if (!material_library.empty()) { out << "usemtl checkerboard\n"; }
+  const auto write_face = [&](const auto& corners) {
+    out << 'f';
+    for (std::int32_t v : corners) { out << ' ' << (mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]) + 1 << '/' << v + 1; }
+    out << '\n';
+  };
+  std::vector<std::int32_t> corners;
+  for (std::size_t first = 0, last = 0; first < mesh.faces.size(); first = last)
+  {
+    const std::int32_t polygon = mesh.face_of[first];
+    while (last < mesh.faces.size() && mesh.face_of[last] == polygon) { ++last; }
+    if (is_whole(input, static_cast<std::size_t>(polygon), mesh, first, last, corners)) { write_face(corners); }
+    else { for (std::size_t f = first; f < last; ++f) { write_face(mesh.faces[f]); } }
+  }
+  return out.take();
+}
+
+void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<std::array<double, 2>>& texture,
+                    std::vector<std::int32_t>& vertex_of, std::int32_t& vertices)
+{
+  if (format_of(path) != "obj") { throw File_error(path + ": meshes with texture coordinates are OBJ files"); }
+  const std::string bytes = read_bytes(path);
+  Scanner in(bytes, path.c_str(), '#');
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::int32_t, 2>> corners;
+  mesh.faces.clear();
+  texture.clear();
+  vertex_of.clear();
+  while (!in.at_end())
+  {
+    const std::string_view key = in.word();
+    if (key == "v") { points.push_back(read_coordinates<3>(in, "a vertex")); }
+    else if (key == "vt")
+    {
+      texture.push_back(read_coordinates<2>(in, "a texture vertex"));
+      vertex_of.push_back(-1);
+    }
+    else if (key == "f")
+    {
+      const Corner_reader read(in, points.size(), texture.size());
+      corners.clear();
+      for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
+      {
+        const auto [v, t] = corners.emplace_back(read(word));
+        if (vertex_of[t] >= 0 && vertex_of[t] != v)
+          in.fail("texture vertex " + std::to_string(t + 1) + " is used with vertex " + std::to_string(vertex_of[t] + 1) + " and with vertex " + std::to_string(v + 1));
+        vertex_of[t] = v;
+      }
+      const std::size_t n = corners.size();
+      if (n < 3) { in.fail("a face has " + std::to_string(n) + " corners"); }
+      std::size_t lowest = 0;
+      for (std::size_t k = 1; k < n && n > 3; ++k) { if (corners[k][0] < corners[lowest][0]) { lowest = k; } }
+      for (std::size_t k = 1; k + 1 < n; ++k) { mesh.faces.push_back({corners[lowest][1], corners[(lowest + k) % n][1], corners[(lowest + k + 1) % n][1]}); }
+    }
+    if (!in.at_line_end()) { in.skip_line(); }
+  }
+  if (mesh.faces.empty()) { throw File_error(path + ": the file has no faces"); }
+  vertices = static_cast<std::int32_t>(points.size());
+  mesh.points.clear();
+  for (std::size_t t = 0; t < texture.size(); ++t)
+  {
+    if (vertex_of[t] < 0 && t >= points.size())
+      throw File_error(path + ": no corner names texture vertex " + std::to_string(t + 1) + ", and there is no vertex of that number");
+    if (vertex_of[t] < 0) { vertex_of[t] = static_cast<std::int32_t>(t); }
+    mesh.points.push_back(points[vertex_of[t]]);
+  }
+}
+
+std::string format_material(const std::string& texture_image)
+{ return "newmtl checkerboard\nKd 1 1 1\nmap_Kd " + texture_image + "\n"; }
+
+} // namespace files
+} // namespace meridian

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "instances.h"
+
+#include <meridian/parameterize_disc.h>
+
+namespace meridian {
+
+template Parameterization parameterize_disc<>(const Triangle_surface&, const Map_options&);
+template Unwrapping unwrap_surface<>(const Triangle_surface&, const Unwrap_options&);
+
+} // namespace meridian

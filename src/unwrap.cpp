@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut.h"
+#include "files/png.h"
+#include "files/write_layout.h"
+#include "files/write_mesh.h"
+#include "files/write_texture.h"
+#include "instances.h"
+//PAGE #include "page/format_unwrap_page.h"
+
+#include <meridian/pack_charts.h>
+#include <meridian/verify_unwrapping.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace meridian {
+namespace program {
+
+namespace {
+
+// The paths that go with OUT.
+std::string beside(const Unwrap_arguments& a, const char* ending)
+{
+  const std::string map = files::map_path(a.out);
+  return map.substr(0, map.size() - std::string(".map.json").size()) + ending;
+}
+
+void check_unwrap_arguments(const Unwrap_arguments& a)
+{
+  if (files::format_of(a.out) != "obj") { throw files::File_error(a.out + ": texture coordinates are written to OBJ files; end the name with .obj or .obj.gz"); }
+  check_cut_arguments(a);
+  const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
+  const bool is_free = a.parameterization == "symmetric-dirichlet" || a.parameterization == "lscm" || a.parameterization == "arap";
+  forbid(a.has_border && is_free, "--border goes with a --parameterization whose border is not free");
+  forbid(!a.texture.empty() && files::format_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
+  const std::string format = files::format_of(a.distortion);
+  forbid(!a.distortion.empty() && format != "ply" && format != "vtp", "--distortion writes PLY or VTP, which can hold values of faces");
+  std::vector<std::string> written{a.out, files::map_path(a.out), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
+  if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
+  check_paths(a, written);
+}
+
+Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
+{
+  Unwrap_options o;
+  o.cut = cut;
+  for (Map_method method : map_methods) { if (a.parameterization == name_of(method)) { o.map.method = method; } }
+  o.map.in_square = a.border == "square";
+  o.family = std::max(a.family, 1);
+  o.stretch_weight = a.stretch_weight;
+  o.max_stretch = a.max_stretch;
+  return o;
+}
+
+// Texture coordinates for the vertices of a result.
+std::vector<Plane_point> pack(const Loaded_mesh& loaded, const std::vector<Unwrapping>& unwrapped, const Assembled_result& assembled)
+{
+  std::vector<Chart> charts;
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    const Triangle_surface& disc = unwrapped[i].disc;
+    double area = 0;
+    for (const auto& t : disc.triangles) { area += norm(cross(disc.points[t[1]] - disc.points[t[0]], disc.points[t[2]] - disc.points[t[0]])) / 2; }
+    const double unit = loaded.examination.components[i].unit;
+    charts.push_back({&disc.triangles, unwrapped[i].map.at, unit * unit * area});
+  }
+  pack_charts(charts);
+  std::vector<Plane_point> texture(assembled.mesh.points.size(), {0, 0});
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    for (std::size_t v = 0; v < charts[i].at.size(); ++v) { texture[assembled.place[i][v]] = charts[i].at[v]; }
+  return texture;
+}
+
+Json report_steps(const std::vector<Unwrap_step>& steps, double unit)
+{
+  Json list = Json::array();
+  for (const Unwrap_step& s : steps)
+    list.push_back({{"name", s.name}, {"length", unit * s.length}, {"stretch_l2", s.stretch_l2}, {"method", name_of(s.method)}, {"flipped", s.flipped}, {"taken", s.is_taken}});
+  return list;
+}
+
+Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
+{
+  const Distortion& d = u.map.distortion;
+  Json attempts = Json::array();
+  for (const Map_attempt& a : u.map.attempts)
+  {
+    attempts.push_back({{"method", name_of(a.method)}, {"flipped", a.flipped < 0 ? Json() : Json(a.flipped)}});
+    if (!a.reason.empty()) { attempts.back()["reason"] = a.reason; }
+  }
+  return {{"method", name_of(u.map.method)}, {"asked", name_of(options.map.method)}, {"attempts", attempts}, {"flipped", u.map.flipped.size()},
+          {"one_to_one", u.map.is_one_to_one}, {"stretch_l2", d.stretch_l2}, {"stretch_linf", d.stretch_linf}, {"angle", d.angle * 180 / std::acos(-1.)}, {"area", d.area},
+          {"conformal", d.conformal}, {"areal", d.areal}, {"family", report_steps(u.members, unit)}, {"links", report_steps(u.variations, unit)},
+          {"extensions", report_steps(u.extensions, unit)}};
+}
+
+// The distortion of each face of a result.
+std::vector<Face_distortion> distortion_of_faces(const Result_mesh& mesh, const std::vector<Plane_point>& texture, const std::vector<Unwrapping>& unwrapped)
+{
+  std::vector<std::vector<std::array<Index, 3>>> triangles(unwrapped.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) { triangles[mesh.component_of[f]].push_back(mesh.faces[f]); }
+  std::vector<std::vector<Face_distortion>> measured;
+  for (const auto& part : triangles) { measured.push_back(measure_faces(mesh.points, part, texture)); }
+  std::vector<std::size_t> next(unwrapped.size(), 0);
+  std::vector<Face_distortion> faces;
+  for (Index component : mesh.component_of) { faces.push_back(measured[component][next[component]++]); }
+  return faces;
+}
+
+// The mesh as it is on the surface, not taken apart.
+Result_mesh closed_mesh(Result_mesh mesh)
+{
+  for (auto& face : mesh.faces) { for (Index& v : face) { v = mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]; } }
+  mesh.points.resize(std::find_if(mesh.copy_of.begin(), mesh.copy_of.end(), [](Index c) { return c >= 0; }) - mesh.copy_of.begin());
+  return mesh;
+}
+
+} // namespace
+
+int run_unwrap(const Unwrap_arguments& arguments)
+{
+  check_unwrap_arguments(arguments);
+  Terminal terminal(arguments.quiet);
+  const Loaded_mesh loaded = load_mesh(arguments);
+  const auto& components = loaded.examination.components;
+  const std::vector<Cut_options> cuts = cut_options(arguments, loaded, terminal);
+  std::vector<Unwrapping> unwrapped;
+  std::vector<Unwrap_options> options;
+  std::vector<Disc_cut> found;
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    terminal.begin_component(i, components.size());
+    options.push_back(unwrap_options(arguments, cuts[i]));
+    unwrapped.push_back(unwrap_surface(components[i].surface, options.back()));
+    found.push_back(std::move(unwrapped.back().cut));
+  }
+  std::vector<Plane_point> texture;
+  Cut_result result = conclude_cut(loaded, std::move(found), cuts, terminal, [&](const Assembled_result& assembled) {
+    texture = pack(loaded, unwrapped, assembled);
+    return verify_unwrapping(loaded.soup, assembled.mesh, texture);
+  });
+  const Result_mesh& mesh = result.assembled.mesh;
+  const Verification& verification = result.verification;
+  double worst = 0;
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    result.components[i]["parameterization"] = report_map(unwrapped[i], options[i], components[i].unit);
+    worst = std::max(worst, unwrapped[i].map.distortion.stretch_l2);
+  }
+  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)}, {"components", result.components},
+                    {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
+                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", result.seconds_assembling}, {"verify", result.seconds_verifying}}},
+                    {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
+
+  files::Output_files out;
+  if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
+  std::ostringstream caption;
+  caption << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus << ", " << result.loops << " boundary loops; cut length "
+          << result.length << ", L2 stretch " << worst;
+  if (verification)
+  {
+    namespace fs = std::filesystem;
+    const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
+    out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, fs::path(material).filename().string()));
+    out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::UNWRAPPING));
+    const auto faces = distortion_of_faces(mesh, texture, unwrapped);
+    std::vector<double> stretch;
+    for (const Face_distortion& f : faces) { stretch.push_back(f.stretch_l2); }
+    if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, texture, stretch)); }
+    if (!arguments.texture.empty())
+    {
+      out.add(arguments.texture, files::format_checkerboard(1024, 32));
+      const fs::path folder = fs::absolute(material).parent_path();
+      out.add(material, files::format_material(fs::absolute(arguments.texture).lexically_relative(folder).generic_string()));
+    }
+    if (!arguments.distortion.empty())
+    {
+      std::vector<files::Face_values> values{{"stretch_l2", {}}, {"stretch_linf", {}}, {"conformal", {}}, {"areal", {}}};
+      for (const Face_distortion& f : faces)
+      {
+        const std::array<double, 4> all{f.stretch_l2, f.stretch_linf, f.conformal, f.areal};
+        for (std::size_t k = 0; k < 4; ++k) { values[k].values.push_back(all[k]); }
+      }
+      out.add(arguments.distortion, files::format_mesh(arguments.distortion, closed_mesh(mesh), values));
+    }
+    if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled))); }
+//PAGE    if (!arguments.view.empty()) { out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption.str(), mesh, texture, stretch)); }
+  }
+  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
+  out.commit();
+  terminal.clear();
+
+  for (const std::string& failure : verification.failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }
+  if (!arguments.quiet)
+  {
+    for (const std::string& repair : loaded.examination.repairs) { std::cout << "note: " << repair << '\n'; }
+    for (std::size_t i = 0; i < unwrapped.size(); ++i)
+    {
+      const Unwrapping& u = unwrapped[i];
+      if (u.map.method != options[i].map.method) { std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << ", because " << name_of(options[i].map.method) << " left flipped faces\n"; }
+      if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
+        std::cout << "note: component " << i << ": the stretch is " << u.map.distortion.stretch_l2 << "; no further extension of the cut lowered it\n";
+    }
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << caption.str() << (verification ? "; no face is turned over" : "") << '\n';
+  }
+  return verification ? VERIFIED : NOT_VERIFIED;
+}
+
+} // namespace program
+} // namespace meridian
