@@ -55,11 +55,18 @@ struct Cut_arguments : Field_arguments
 
 struct Unwrap_arguments : Cut_arguments // with a family, the best of its members
 {
-  std::string parameterization = "symmetric-dirichlet", border = "circle";
+  std::string parameterization = "symmetric-dirichlet", border = "free";
   bool has_border = false;
   double stretch_weight = 0, max_stretch = 0;
   std::string layout, texture, distortion; // paths, or empty
   int geometry_image = 0;                  // pixels along a side, or 0
+};
+
+struct Compare_arguments : Common_arguments
+{
+  std::string mesh;
+  std::vector<std::string> cuts; // a result of `cut` or `unwrap`, or the number of a member of the family
+  std::string weights = "positive";
 };
 
 struct Generator_arguments : Field_arguments
@@ -74,6 +81,7 @@ int run_info(const Info_arguments& arguments);
 int run_cut(const Cut_arguments& arguments);
 int run_family(const Cut_arguments& arguments);
 int run_unwrap(const Unwrap_arguments& arguments);
+int run_compare(const Compare_arguments& arguments);
 int run_generators(const Generator_arguments& arguments);
 int run_verify(const Verify_arguments& arguments);
 

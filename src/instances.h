@@ -3,6 +3,7 @@
 #ifndef MERIDIAN_INSTANCES_H
 #define MERIDIAN_INSTANCES_H
 
+#include <meridian/compare_parameterizations.h>
 #include <meridian/cut_to_disc.h>
 #include <meridian/fields.h>
 #include <meridian/shortest_basis.h>
@@ -20,6 +21,7 @@ extern template std::vector<double> geodesic_distance<>(const Triangle_surface&,
 
 extern template Parameterization parameterize_disc<>(const Triangle_surface&, const Map_options&);
 extern template Unwrapping unwrap_surface<>(const Triangle_surface&, const Unwrap_options&);
+extern template Map_comparison compare_parameterizations<>(const Triangle_surface&, const Cut_disc&, const Cut_disc&, Map_weights);
 
 } // namespace meridian
 

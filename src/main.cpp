@@ -130,10 +130,10 @@ int main(int argc, char** argv)
   unwrap_command->add_option("MESH", unwrap.mesh, "the mesh file")->required();
   unwrap_command->add_option("-o,--output", unwrap.out, "the mesh with texture coordinates: OBJ; vertices are not doubled, seams are in the coordinates")->required()->type_name("OUT.obj");
   const std::string plane = "The map", pictures = "Pictures";
-  unwrap_command->add_option("--parameterization", unwrap.parameterization, "one-to-one with a free border and low distortion; averages with positive weights, the same with low stretch, "
+  unwrap_command->add_option("--parameterization", unwrap.parameterization, "low distortion, one-to-one; averages with positive weights, the same with low stretch, "
                              "mean value coordinates, uniform averages, discrete conformal, discrete authalic; least squares conformal or as rigid as possible, both with a free border")
     ->check(CLI::IsMember({"symmetric-dirichlet", "positive", "stretch", "mean-value", "tutte", "conformal", "authalic", "lscm", "arap"}))->capture_default_str()->group(plane);
-  unwrap_command->add_option("--border", unwrap.border, "where a border goes that is not free")->check(CLI::IsMember({"circle", "square"}))->capture_default_str()->group(plane);
+  unwrap_command->add_option("--border", unwrap.border, "where the border goes: where the method likes; those that need a border take a circle")->check(CLI::IsMember({"free", "circle", "square"}))->capture_default_str()->group(plane);
   unwrap_command->add_option("--family", unwrap.family, "try N different cuts, and take the best")->check(CLI::Range(1, 1000000000))->type_name("N");
   unwrap_command->add_option("--stretch-weight", unwrap.stretch_weight, "what is best: the least (1 - W) length + W stretch; with W > 0 links are varied too")->check(CLI::Range(0., 1.))->type_name("W")->capture_default_str();
   unwrap_command->add_option("--max-stretch", unwrap.max_stretch, "extend the cut to regions of high stretch until the L2 stretch is at most S")->check(CLI::Range(1., 1e300))->type_name("S");
@@ -141,6 +141,17 @@ int main(int argc, char** argv)
   unwrap_command->add_option("--png", unwrap.texture, "write a checkerboard, and beside OUT the material that shows it")->type_name("FILE")->group(pictures);
   unwrap_command->add_option("--distortion", unwrap.distortion, "write the mesh as PLY or VTP with the distortion of each face")->type_name("FILE")->group(pictures);
   add_cut(*unwrap_command, unwrap);
+
+  unwrap_command->add_option("--geometry-image", unwrap.geometry_image, "map into a square, and write N x N points of the surface as a 16-bit PNG and as the surface remeshed, beside OUT")
+    ->check(CLI::Range(3, 16384))->type_name("N")->group(pictures);
+
+  Compare_arguments compare;
+  CLI::App* compare_command = app.add_subcommand("compare", "compare the maps into the plane that two cuts of a mesh lead to, and bound their variation from below");
+  compare_command->add_option("MESH", compare.mesh, "the mesh file")->required();
+  compare_command->add_option("--cut", compare.cuts, "a result of `cut` or `unwrap`, or the number of a member of the family (from 0); given twice")->required()->expected(2)->type_name("CUT");
+  compare_command->add_option("--weights", compare.weights, "of the linear map into a circle")->check(CLI::IsMember({"uniform", "positive", "cotangent"}))->capture_default_str();
+  compare_command->add_flag("--repair", compare.repair, repair_help);
+  add_common(*compare_command, compare);
 
   Generator_arguments generators;
   CLI::App* generators_command = app.add_subcommand("generators", "find a meridian and a longitude around every handle");
@@ -197,6 +208,7 @@ int main(int argc, char** argv)
       note_cut(*cut_command, cut);
       return cut.family > 0 ? run_family(cut) : run_cut(cut);
     }
+    if (*compare_command) { return run_compare(compare); }
     if (*generators_command)
     {
       note_options(*generators_command, generators);

@@ -5,8 +5,10 @@
 #include "files/write_mesh.h"
 #include "files/write_texture.h"
 #include "instances.h"
-//PAGE #include "page/format_unwrap_page.h"
+ #include "page/format_unwrap_page.h"
 
+#include <meridian/geometry_image.h>
+#include <meridian/measure_round_trip.h>
 #include <meridian/pack_charts.h>
 #include <meridian/verify_unwrapping.h>
 
@@ -32,13 +34,21 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   if (files::format_of(a.out) != "obj") { throw files::File_error(a.out + ": texture coordinates are written to OBJ files; end the name with .obj or .obj.gz"); }
   check_cut_arguments(a);
   const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
-  const bool is_free = a.parameterization == "symmetric-dirichlet" || a.parameterization == "lscm" || a.parameterization == "arap";
-  forbid(a.has_border && is_free, "--border goes with a --parameterization whose border is not free");
+  const bool is_free = a.parameterization == "lscm" || a.parameterization == "arap";
+  forbid(is_free && a.border != "free", "this --parameterization has a free border; leave out --border");
+  forbid(!is_free && a.parameterization != "symmetric-dirichlet" && a.has_border && a.border == "free", "this --parameterization needs a border; --border circle or square");
   forbid(!a.texture.empty() && files::format_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
   const std::string format = files::format_of(a.distortion);
   forbid(!a.distortion.empty() && format != "ply" && format != "vtp", "--distortion writes PLY or VTP, which can hold values of faces");
   std::vector<std::string> written{a.out, files::map_path(a.out), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
   if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
+  if (a.geometry_image > 0)
+  {
+    forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
+    forbid((a.has_border && a.border != "square") || (a.parameterization != "symmetric-dirichlet" && a.parameterization != "stretch" && a.parameterization != "positive"),
+           "--geometry-image maps into a square with --parameterization symmetric-dirichlet, stretch or positive");
+    for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
+  }
   check_paths(a, written);
 }
 
@@ -47,10 +57,11 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
   Unwrap_options o;
   o.cut = cut;
   for (Map_method method : map_methods) { if (a.parameterization == name_of(method)) { o.map.method = method; } }
-  o.map.in_square = a.border == "square";
+  o.map.border = a.border == "square" ? Map_border::SQUARE : a.border == "circle" ? Map_border::CIRCLE : Map_border::FREE;
   o.family = std::max(a.family, 1);
   o.stretch_weight = a.stretch_weight;
   o.max_stretch = a.max_stretch;
+  o.image_size = a.geometry_image;
   return o;
 }
 
@@ -66,7 +77,7 @@ std::vector<Plane_point> pack(const Loaded_mesh& loaded, const std::vector<Unwra
     const double unit = loaded.examination.components[i].unit;
     charts.push_back({&disc.triangles, unwrapped[i].map.at, unit * unit * area});
   }
-  pack_charts(charts);
+  if (unwrapped.front().border.size == 0) { pack_charts(charts); } // the square of a geometry image stays as it is
   std::vector<Plane_point> texture(assembled.mesh.points.size(), {0, 0});
   for (std::size_t i = 0; i < charts.size(); ++i)
     for (std::size_t v = 0; v < charts[i].at.size(); ++v) { texture[assembled.place[i][v]] = charts[i].at[v]; }
@@ -87,10 +98,10 @@ Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
   Json attempts = Json::array();
   for (const Map_attempt& a : u.map.attempts)
   {
-    attempts.push_back({{"method", name_of(a.method)}, {"flipped", a.flipped < 0 ? Json() : Json(a.flipped)}});
+    attempts.push_back({{"method", name_of(a.method)}, {"border", name_of(a.border)}, {"flipped", a.flipped < 0 ? Json() : Json(a.flipped)}});
     if (!a.reason.empty()) { attempts.back()["reason"] = a.reason; }
   }
-  return {{"method", name_of(u.map.method)}, {"asked", name_of(options.map.method)}, {"attempts", attempts}, {"flipped", u.map.flipped.size()},
+  return {{"method", name_of(u.map.method)}, {"border", name_of(u.map.border)}, {"asked", name_of(options.map.method)}, {"attempts", attempts}, {"flipped", u.map.flipped.size()},
           {"one_to_one", u.map.is_one_to_one}, {"stretch_l2", d.stretch_l2}, {"stretch_linf", d.stretch_linf}, {"angle", d.angle * 180 / std::acos(-1.)}, {"area", d.area},
           {"conformal", d.conformal}, {"areal", d.areal}, {"family", report_steps(u.members, unit)}, {"links", report_steps(u.variations, unit)},
           {"extensions", report_steps(u.extensions, unit)}};
@@ -109,6 +120,27 @@ std::vector<Face_distortion> distortion_of_faces(const Result_mesh& mesh, const 
   return faces;
 }
 
+// A geometry image and the surface that it makes, and how near that is.
+Json add_geometry_image(files::Output_files& out, const Unwrap_arguments& a, const Surface_component& component, const Unwrapping& u)
+{
+  const Geometry_image image = sample_geometry(u.disc, u.map.at, u.border);
+  const Remeshed remeshed = remesh_from_image(image, &u.border);
+  const Round_trip trip = measure_round_trip(component.surface, remeshed.surface);
+  std::vector<std::uint16_t> rows; // from the top
+  for (int row = image.size; row-- > 0;) { rows.insert(rows.end(), image.samples.begin() + 3 * image.pixel(0, row), image.samples.begin() + 3 * image.pixel(0, row) + 3 * image.size); }
+  out.add(beside(a, ".geometry.png"), files::format_png(image.size, image.size, 3, rows, 16));
+  Result_mesh mesh;
+  for (const Point& p : remeshed.surface.points) { mesh.points.push_back(component.unit * p); }
+  mesh.faces = remeshed.surface.triangles;
+  out.add(beside(a, ".remesh.obj"), files::format_mesh(beside(a, ".remesh.obj"), mesh));
+  const int loops = static_cast<int>(boundary_loops(remeshed.surface).size());
+  const int characteristic = remeshed.surface.number_of_vertices() - remeshed.surface.number_of_edges() + remeshed.surface.number_of_faces();
+  const double unit = component.unit;
+  return {{"size", image.size}, {"low", {unit * image.low[0], unit * image.low[1], unit * image.low[2]}}, {"step", unit * image.step},
+          {"faces_left_out", remeshed.faces_left_out}, {"genus", (2 - characteristic - loops) / 2}, {"boundary_loops", loops},
+          {"hausdorff", unit * trip.hausdorff}, {"rms", unit * trip.rms}, {"psnr", trip.psnr}};
+}
+
 // The mesh as it is on the surface, not taken apart.
 Result_mesh closed_mesh(Result_mesh mesh)
 {
@@ -125,6 +157,8 @@ int run_unwrap(const Unwrap_arguments& arguments)
   Terminal terminal(arguments.quiet);
   const Loaded_mesh loaded = load_mesh(arguments);
   const auto& components = loaded.examination.components;
+  if (arguments.geometry_image > 0 && components.size() > 1)
+    throw Invalid_input_error("a geometry image holds one component; the mesh has " + std::to_string(components.size()));
   const std::vector<Cut_options> cuts = cut_options(arguments, loaded, terminal);
   std::vector<Unwrapping> unwrapped;
   std::vector<Unwrap_options> options;
@@ -149,12 +183,13 @@ int run_unwrap(const Unwrap_arguments& arguments)
     result.components[i]["parameterization"] = report_map(unwrapped[i], options[i], components[i].unit);
     worst = std::max(worst, unwrapped[i].map.distortion.stretch_l2);
   }
-  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)}, {"components", result.components},
+  Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)}, {"components", result.components},
                     {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
                     {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", result.seconds_assembling}, {"verify", result.seconds_verifying}}},
                     {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;
+  if (verification && arguments.geometry_image > 0) { report["geometry_image"] = add_geometry_image(out, arguments, components.front(), unwrapped.front()); }
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   std::ostringstream caption;
   caption << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus << ", " << result.loops << " boundary loops; cut length "
@@ -186,7 +221,7 @@ int run_unwrap(const Unwrap_arguments& arguments)
       out.add(arguments.distortion, files::format_mesh(arguments.distortion, closed_mesh(mesh), values));
     }
     if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled))); }
-//PAGE    if (!arguments.view.empty()) { out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption.str(), mesh, texture, stretch)); }
+    if (!arguments.view.empty()) { out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption.str(), mesh, texture, stretch)); }
   }
   if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
   out.commit();
@@ -199,9 +234,15 @@ int run_unwrap(const Unwrap_arguments& arguments)
     for (std::size_t i = 0; i < unwrapped.size(); ++i)
     {
       const Unwrapping& u = unwrapped[i];
-      if (u.map.method != options[i].map.method) { std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << ", because " << name_of(options[i].map.method) << " left flipped faces\n"; }
+      if (u.map.attempts.size() > 1) { std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << ", because " << name_of(options[i].map.method) << " left flipped faces\n"; }
       if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
         std::cout << "note: component " << i << ": the stretch is " << u.map.distortion.stretch_l2 << "; no further extension of the cut lowered it\n";
+    }
+    if (report.contains("geometry_image"))
+    {
+      const Json& image = report["geometry_image"];
+      std::cout << "geometry image: the surface made of it has genus " << image["genus"] << " and " << image["boundary_loops"] << " boundary loops; Hausdorff distance "
+                << image["hausdorff"].get<double>() << ", PSNR " << image["psnr"].get<double>() << " dB\n";
     }
     std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << caption.str() << (verification ? "; no face is turned over" : "") << '\n';
   }

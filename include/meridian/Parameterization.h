@@ -14,7 +14,7 @@ namespace meridian {
 /// how a disc is mapped into the plane. Those from `MEAN_VALUE` on are CGAL's.
 enum class Map_method
 {
-  SYMMETRIC_DIRICHLET, ///< one-to-one, with a free border and low distortion (Smith, Schaefer 2015; Jiang, Schaefer, Panozzo 2017)
+  SYMMETRIC_DIRICHLET, ///< one-to-one, with low distortion (Smith, Schaefer 2015; Jiang, Schaefer, Panozzo 2017)
   POSITIVE,            ///< averages with symmetric positive weights (Tutte 1963, Floater 1997): the safest
   STRETCH,             ///< the same, with weights changed until stretch is low (Yoshizawa, Belyaev, Seidel 2004)
   MEAN_VALUE,          ///< mean value coordinates (Floater 2003)
@@ -24,6 +24,11 @@ enum class Map_method
   LSCM,                ///< least squares conformal, two points fixed (Levy, Petitjean, Ray, Maillot 2002)
   ARAP                 ///< as rigid as possible (Liu, Zhang, Xu, Gotsman, Gortler 2008)
 };
+
+/// \ingroup PkgMeridianParameterization
+/// where the border of the disc goes. `FREE` is for `SYMMETRIC_DIRICHLET`, `LSCM` and `ARAP`, which last two have no other; it means
+/// `CIRCLE` to the others.
+enum class Map_border { FREE, CIRCLE, SQUARE };
 
 /// \ingroup PkgMeridianParameterization
 /// all methods, the default first.
@@ -39,16 +44,18 @@ inline const char* name_of(Map_method method)
 }
 
 /// \ingroup PkgMeridianParameterization
-/// \returns whether the border is free with a method
-inline bool has_free_border(Map_method method)
-{ return method == Map_method::SYMMETRIC_DIRICHLET || method == Map_method::LSCM || method == Map_method::ARAP; }
+/// \returns the name of a border as it stands in reports
+inline const char* name_of(Map_border border) { return border == Map_border::FREE ? "free" : border == Map_border::CIRCLE ? "circle" : "square"; }
 
 /// \ingroup PkgMeridianParameterization
 /// what one may choose about a map.
 struct Map_options
 {
   Map_method method = Map_method::SYMMETRIC_DIRICHLET;
-  bool in_square = false;                    ///< whether a border that is not free becomes a square, not a circle
+  Map_border border = Map_border::FREE;
+  std::vector<Index> loop = {};              ///< the border as halfedges, counterclockwise, and
+  std::vector<Plane_point> polygon = {};     ///< where the source of each goes, on a convex polygon, in place of a circle or square; or both empty.
+                                             ///< For `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
   std::function<void(double)> progress = {}; ///< receives the part done; may throw to cancel
 };
 
@@ -57,6 +64,7 @@ struct Map_options
 struct Map_attempt
 {
   Map_method method;
+  Map_border border;
   Index flipped;      ///< faces turned over or without area; -1 if there was no map
   std::string reason; ///< why there was none
 };
@@ -66,7 +74,8 @@ struct Map_attempt
 struct Parameterization
 {
   std::vector<Plane_point> at;       ///< the image of each vertex
-  Map_method method;                 ///< that was used
+  Map_method method = Map_method::SYMMETRIC_DIRICHLET; ///< that was used
+  Map_border border = Map_border::FREE;
   std::vector<Map_attempt> attempts; ///< the last is the one used, unless all had flipped faces; then that with the fewest
   std::vector<Index> flipped;        ///< the faces turned over or without area, exactly
   bool is_one_to_one = false;        ///< whether no face is flipped and the border does not meet itself, exactly
@@ -79,8 +88,9 @@ struct Parameterization
  *
  * maps a disc into the plane.
  *
- * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another method with a free border, then
- * averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with weights changed until stretch is low.
+ * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a free border, then
+ * averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with weights changed until stretch is low; after a
+ * square, whose sides may hold all corners of a face, a circle.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface

@@ -12,6 +12,10 @@
 
 namespace meridian {
 
+/// \ingroup PkgMeridianParameterization
+/// \returns whether a method can leave the border free
+inline bool has_free_border(Map_method m) { return m == Map_method::SYMMETRIC_DIRICHLET || m == Map_method::LSCM || m == Map_method::ARAP; }
+
 namespace internal {
 
 // The corners of a square, which lie at the quarters of the border, and points along its sides between them.
@@ -40,26 +44,25 @@ inline std::vector<Plane_point> place_on_square(const std::vector<double>& place
   return points;
 }
 
+// Maps a disc by one method. Returns why there is no map, or nothing.
 template <class SymmetricTraits, class GeneralTraits>
-std::string map_disc(const Triangle_surface& disc, Map_method method, const Map_options& options, std::vector<Plane_point>& at)
+std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options, std::vector<Plane_point>& at)
 {
-  if (method >= Map_method::MEAN_VALUE) { return map_with_cgal<GeneralTraits>(disc, method, options.in_square, at); }
-  const auto loops = boundary_loops(disc);
-  const auto& loop = loops.front();
-  const bool in_square = options.in_square && method != Map_method::SYMMETRIC_DIRICHLET && loop.size() >= 4;
+  if (method >= Map_method::MEAN_VALUE) { return map_with_cgal<GeneralTraits>(disc, method, border == Map_border::SQUARE, at); }
+  const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
+  const auto loop = is_given ? options.loop : boundary_loops(disc).front();
   const auto places = places_along(disc, loop);
-  const auto border = in_square ? place_on_square(places) : place_on_circle(places);
+  const auto polygon = is_given ? options.polygon : border == Map_border::SQUARE && loop.size() >= 4 ? place_on_square(places) : place_on_circle(places);
   if (method == Map_method::POSITIVE)
   {
-    at = map_into_polygon<SymmetricTraits>(disc, edge_weights(disc, Weights::POSITIVE), loop, border);
+    at = map_into_polygon<SymmetricTraits>(disc, edge_weights(disc, Weights::POSITIVE), loop, polygon);
     return "";
   }
-  at = map_with_low_stretch<SymmetricTraits>(disc, loop, border, method == Map_method::STRETCH ? 20 : 3);
+  at = map_with_low_stretch<SymmetricTraits>(disc, loop, polygon, method == Map_method::STRETCH ? 20 : 3);
   if (method == Map_method::STRETCH) { return ""; }
-  std::vector<Index> polygon;
-  for (Index h : loop) { polygon.push_back(disc.source(h)); }
-  if (!find_flipped_faces(disc.triangles, at).empty() || !is_simple(polygon, at)) { return "double precision is not enough for the map into a circle that it begins with"; }
+  if (!is_one_to_one(disc, at)) { return "double precision is not enough for the map into a convex polygon that it begins with"; }
   Distortion_options distortion;
+  distortion.has_free_border = border == Map_border::FREE;
   distortion.progress = options.progress;
   minimize_distortion<SymmetricTraits>(disc, at, distortion);
   return "";
@@ -70,43 +73,43 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, const Map_
 template <class SymmetricTraits, class GeneralTraits>
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options)
 {
-  std::vector<Map_method> methods{options.method};
-  const auto add = [&](Map_method m) { if (std::find(methods.begin(), methods.end(), m) == methods.end()) { methods.push_back(m); } };
-  if (has_free_border(options.method)) { add(Map_method::SYMMETRIC_DIRICHLET); }
-  for (Map_method m : {Map_method::POSITIVE, Map_method::TUTTE, Map_method::STRETCH}) { add(m); }
+  using Choice = std::pair<Map_method, Map_border>;
+  std::vector<Choice> choices;
+  const auto add = [&](Map_method m, Map_border border) {
+    if (border == Map_border::FREE && !has_free_border(m)) { border = Map_border::CIRCLE; }
+    if (m == Map_method::LSCM || m == Map_method::ARAP) { border = Map_border::FREE; }
+    if (std::find(choices.begin(), choices.end(), Choice(m, border)) == choices.end()) { choices.emplace_back(m, border); }
+  };
+  add(options.method, options.border);
+  if (choices.front().second == Map_border::FREE) { add(Map_method::SYMMETRIC_DIRICHLET, Map_border::FREE); }
+  for (Map_border border : {options.border, Map_border::CIRCLE})
+    for (Map_method m : {Map_method::POSITIVE, Map_method::TUTTE, Map_method::STRETCH}) { add(m, border); }
 
   Parameterization best;
-  bool has_map = false;
-  for (Map_method method : methods)
+  for (const auto& [method, border] : choices)
   {
     std::vector<Plane_point> at;
     std::string reason;
-    try
-    {
-      reason = internal::map_disc<SymmetricTraits, GeneralTraits>(disc, method, options, at);
-    }
+    try { reason = internal::map_disc<SymmetricTraits, GeneralTraits>(disc, method, border, options, at); }
     catch (const Solver_error& e) { reason = e.what(); }
     if (!reason.empty())
     {
-      best.attempts.push_back({method, -1, reason});
+      best.attempts.push_back({method, border, -1, reason});
       continue;
     }
     auto flipped = find_flipped_faces(disc.triangles, at);
-    best.attempts.push_back({method, static_cast<Index>(flipped.size()), ""});
-    if (!has_map || flipped.size() < best.flipped.size())
+    best.attempts.push_back({method, border, static_cast<Index>(flipped.size()), ""});
+    if (best.at.empty() || flipped.size() < best.flipped.size())
     {
       best.at = std::move(at);
       best.method = method;
+      best.border = border;
       best.flipped = std::move(flipped);
-      has_map = true;
     }
     if (best.flipped.empty()) { break; }
   }
-  if (!has_map) { throw Solver_error("the disc has no map into the plane: " + best.attempts.back().reason); }
-  std::vector<Index> polygon;
-  const auto loops = boundary_loops(disc);
-  for (Index h : loops.front()) { polygon.push_back(disc.source(h)); }
-  best.is_one_to_one = best.flipped.empty() && is_simple(polygon, best.at);
+  if (best.at.empty()) { throw Solver_error("the disc has no map into the plane: " + best.attempts.back().reason); }
+  best.is_one_to_one = best.flipped.empty() && is_one_to_one(disc, best.at);
   best.faces = measure_faces(disc.points, disc.triangles, best.at);
   best.distortion = measure_distortion(disc.points, disc.triangles, best.at, best.faces);
   return best;

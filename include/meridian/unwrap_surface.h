@@ -4,6 +4,7 @@
 
 #include <meridian/Parameterization.h>
 #include <meridian/cut_family.h>
+#include <meridian/square_border.h>
 
 namespace meridian {
 
@@ -18,6 +19,7 @@ struct Unwrap_options
                              ///< the area; if it is not 0, links are varied too
   double max_stretch = 0;    ///< the cut is extended until the L2 stretch is no larger, or no extension lowers it; 0: it is not extended
   int extensions = 100;      ///< at most
+  int image_size = 0;        ///< if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -38,6 +40,7 @@ struct Unwrapping
   Disc_cut cut;
   Triangle_surface disc; ///< the cut surface, taken apart
   Parameterization map;  ///< of `disc`
+  Square_border border;  ///< with `Unwrap_options::image_size`
   std::vector<Unwrap_step> members;    ///< of the family
   std::vector<Unwrap_step> variations; ///< of the links
   std::vector<Unwrap_step> extensions; ///< of the cut
@@ -61,6 +64,26 @@ inline void extend_cut(const Triangle_surface& root, Disc_cut& cut, Index vertex
   options.source = vertex;
   const auto links = on_edges ? link_boundaries_on_edges(cut.surface, vertex) : link_boundaries(root, cut.surface, options);
   cut.links.insert(cut.links.end(), links.begin(), links.end());
+  internal::open_cut(cut);
+}
+
+/*!
+ * \ingroup PkgMeridianParameterization
+ *
+ * divides the edges inside the disc that join two vertices of its border, so that no face has all its corners there. In a map into a polygon, faces
+ * along one side would have no area.
+ *
+ * \param root the surface that was cut
+ * \param cut its cut
+ * \par Complexity
+ * Linear.
+ */
+inline void divide_chords(const Triangle_surface& root, Disc_cut& cut)
+{
+  const Triangle_surface disc = surface_of(cut.surface, cut.opened); // its halfedges are those of the surface
+  std::vector<Surface_curve> middles;
+  for (Index h : chords_of_loops(disc, make_node_graph(disc))) { middles.push_back({{Curve_point::on_edge(h, 0.5)}, false}); }
+  insert_curves(root, cut.surface, middles);
   internal::open_cut(cut);
 }
 
@@ -141,8 +164,16 @@ private:
   {
     const Stage_runner run{m_options.cut.observer, u.cut.seconds};
     run(Stage::PARAMETERIZE, [&] {
-      u.disc = surface_of(u.cut.surface, u.cut.opened);
       Map_options options = m_options.map;
+      if (m_options.image_size > 0)
+      {
+        u.border = prepare_square_border(m_root, u.cut, m_options.image_size);
+        options.border = Map_border::SQUARE;
+        options.loop = u.border.loop;
+        options.polygon = u.border.points;
+      }
+      else if (options.border == Map_border::SQUARE && !m_options.cut.on_edges) { divide_chords(m_root, u.cut); }
+      u.disc = surface_of(u.cut.surface, u.cut.opened);
       options.progress = [&](double done) { run.progress(Stage::PARAMETERIZE, done); };
       u.map = parameterize_disc<SymmetricTraits, GeneralTraits>(u.disc, options);
     });

@@ -83,6 +83,7 @@ public:
   {
     for (const auto& t : texture) { m_at.push_back({std::llround(t[0] * side), std::llround((1 - t[1]) * side)}); }
     m_out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-20 -20 1040 1090\" width=\"1040\" height=\"1090\" font-family=\"sans-serif\">\n"
+             "<style>.numbers text { stroke-width: .2em; }</style>\n"
              "<rect x=\"-20\" y=\"-20\" width=\"1040\" height=\"1090\" fill=\"#fff\"/>\n<rect width=\"1000\" height=\"1000\" fill=\"none\" stroke=\"#ccc\"/>\n";
   }
 
@@ -125,7 +126,7 @@ public:
         numbers += format_number(*sides, number, color);
       }
     }
-    m_out << "</g>\n<g class=\"numbers\" text-anchor=\"middle\" stroke=\"#fff\" stroke-width=\"2\" paint-order=\"stroke\">\n" << numbers << "</g>\n";
+    m_out << "</g>\n<g class=\"numbers\" text-anchor=\"middle\" stroke=\"#fff\" paint-order=\"stroke\">\n" << numbers << "</g>\n";
   }
 
   void draw_legend()
@@ -166,7 +167,7 @@ private:
     while (i + 1 < sides.size() && along + length(sides[i]) < whole / 2) { along += length(sides[i++]); }
     const Place &a = source(sides[i]), &b = target(sides[i]);
     const double x = static_cast<double>(b[0] - a[0]), y = static_cast<double>(b[1] - a[1]), l = length(sides[i]);
-    const double part = l > 0 ? std::min((whole / 2 - along) / l, 1.) : 0, size = std::min(std::max(whole / 4 / unit, 3.), 11.); // of letters
+    const double part = l > 0 ? std::min((whole / 2 - along) / l, 1.) : 0, size = std::min(std::max(whole / 4 / unit, 4.), 11.); // of letters
     const double inward = l > 0 ? 0.8 * size * unit / l : 0;
     const auto units = [&](double v) { return static_cast<double>(std::llround(v / unit * 10)) / 10; };
     Text text;

@@ -1,60 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "format_page.h"
 
+#include "embed.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-// Files that the assembler puts into the program.
-#define MERIDIAN_EMBED(NAME, FILE)                                                     \
-  __asm__(".section .rodata\n" #NAME "_begin:\n.incbin \"" FILE "\"\n" #NAME "_end:\n.byte 0\n.previous\n"); \
-  extern "C" const char NAME##_begin[], NAME##_end[];
-
 MERIDIAN_EMBED(meridian_page, MERIDIAN_PAGE)
 MERIDIAN_EMBED(meridian_script, MERIDIAN_PAGE_SCRIPT)
-MERIDIAN_EMBED(meridian_three, MERIDIAN_THREE "/build/three.min.js")
-MERIDIAN_EMBED(meridian_controls, MERIDIAN_THREE "/examples/js/controls/TrackballControls.js")
-MERIDIAN_EMBED(meridian_line_geometry, MERIDIAN_THREE "/examples/js/lines/LineSegmentsGeometry.js")
-MERIDIAN_EMBED(meridian_line_material, MERIDIAN_THREE "/examples/js/lines/LineMaterial.js")
-MERIDIAN_EMBED(meridian_line_segments, MERIDIAN_THREE "/examples/js/lines/LineSegments2.js")
 
 namespace meridian {
 namespace page {
-
-namespace {
-
-template <class Number> std::string base64(const std::vector<Number>& values)
-{
-  static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-  const std::size_t n = values.size() * sizeof(Number);
-  std::string text;
-  text.reserve((n + 2) / 3 * 4);
-  for (std::size_t i = 0; i < n; i += 3)
-  {
-    const unsigned long block = static_cast<unsigned long>(bytes[i]) << 16 | (i + 1 < n ? bytes[i + 1] : 0ul) << 8 | (i + 2 < n ? bytes[i + 2] : 0ul);
-    text += letters[block >> 18 & 63];
-    text += letters[block >> 12 & 63];
-    text += i + 1 < n ? letters[block >> 6 & 63] : '=';
-    text += i + 2 < n ? letters[block & 63] : '=';
-  }
-  return text;
-}
-
-std::string escaped(const std::string& text)
-{
-  std::string result;
-  for (char c : text) { result += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c); }
-  return result;
-}
-
-void replace(std::string& text, const std::string& mark, const std::string& by)
-{
-  const std::size_t at = text.find(mark);
-  text.replace(at, mark.size(), by);
-}
-
-} // namespace
 
 std::string format_page(const std::string& title, const std::string& caption, const std::string& others, const std::vector<Part>& parts, const std::vector<Curve>& curves,
                         const Assembled_result& assembled)
@@ -123,16 +80,10 @@ std::string format_page(const std::string& title, const std::string& caption, co
     labels += text + escaped(curve.label) + "'},";
   }
 
-  std::string scripts;
-  const auto add_script = [&](const char* begin, const char* end) { scripts += "<script>\n" + std::string(begin, end) + "\n</script>\n"; };
-  add_script(meridian_three_begin, meridian_three_end);
-  add_script(meridian_controls_begin, meridian_controls_end);
-  add_script(meridian_line_geometry_begin, meridian_line_geometry_end);
-  add_script(meridian_line_material_begin, meridian_line_material_end);
-  add_script(meridian_line_segments_begin, meridian_line_segments_end);
+  std::string scripts = library_scripts();
   scripts += "<script>\nconst data = {positions: '" + base64(positions) + "', corners: '" + base64(corners) + "', field: '" + base64(field)
              + "', meridians: '" + base64(lines[Curve::MERIDIAN]) + "', others: '" + base64(lines[Curve::OTHER]) + "', flow: '" + base64(lines[Curve::FLOW]) + "', labels: [" + labels + "]};\n</script>\n";
-  add_script(meridian_script_begin, meridian_script_end);
+  scripts += script(meridian_script_begin, meridian_script_end);
 
   std::string text(meridian_page_begin, meridian_page_end);
   replace(text, "@TITLE@", escaped(title));
