@@ -11,7 +11,7 @@
 // OpenBLAS, where it is the BLAS of this system, must not split sums between threads: equal bytes out for equal bytes in.
 // CHOLMOD's own threads only wait for each other on the small blocks of a surface mesh.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-extern "C" void omp_set_num_threads(int) __attribute__((weak));
+extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace {
 
@@ -55,7 +55,7 @@ int main(int argc, char** argv)
 {
   using namespace meridian::program;
   if (openblas_set_num_threads) { openblas_set_num_threads(1); }
-  if (omp_set_num_threads) { omp_set_num_threads(1); }
+  if (omp_set_max_active_levels) { omp_set_max_active_levels(0); } // CHOLMOD asks for four threads, whatever their number is set to
 
   CLI::App app{"Cuts any triangle mesh into a disc along smooth curves, and proves with integers that it did.\n"
                "Meshes are OFF, OBJ, STL, PLY or VTP files, or gzip of these."};

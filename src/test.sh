@@ -5,5 +5,5 @@ set -e
 cd "$(dirname "$0")/.."
 src/install-packages.sh test
 cmake --preset release >/dev/null
-cmake --build --preset release
+cmake --build --preset release -j "$(nproc)"
 ctest --preset release

@@ -1,10 +1,10 @@
 #!/bin/sh
-# Installs what is missing, builds the program and cuts a real mesh: elephant.off, genus 3, from Debian's libcgal-demo.
+# Installs what is missing, builds the program, cuts a real mesh and gives it texture coordinates: elephant.off, genus 3, from Debian's libcgal-demo.
 set -e
 cd "$(dirname "$0")/.."
 src/install-packages.sh
 cmake --preset release -DMERIDIAN_DEVELOPER=OFF -B build/try >/dev/null
-cmake --build build/try
+cmake --build build/try -j "$(nproc)"
 out=build/try/elephant
 mkdir -p "$out"
 if [ ! -s "$out/elephant.off" ]; then # the mesh is taken out of the package: slim systems leave /usr/share/doc out
@@ -17,6 +17,8 @@ if [ ! -s "$out/elephant.off" ]; then # the mesh is taken out of the package: sl
   rm -f "$out"/libcgal-demo*.deb
 fi
 build/try/meridian cut "$out/elephant.off" -o "$out/disc.obj" --report "$out/report.json" --view "$out/view.html"
+build/try/meridian unwrap "$out/elephant.off" -o "$out/textured.obj" --png "$out/checkerboard.png" --svg "$out/layout.svg" --view "$out/texture.html"
 echo "the opened mesh: $PWD/$out/disc.obj"
 echo "the report:      $PWD/$out/report.json"
 echo "the 3D page:     $PWD/$out/view.html (open it in a browser)"
+echo "with texture:    $PWD/$out/textured.obj, and $PWD/$out/texture.html"

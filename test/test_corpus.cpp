@@ -4,12 +4,16 @@
 // test_corpus manifest  all meshes of the list but the largest
 // test_corpus large     the largest, and the folder xl
 // test_corpus choices   small meshes of the list with every choice of a field, a preference, a method and so on; `choices all` takes all
+// test_corpus unwrap    small meshes of the list with texture coordinates; `unwrap all` takes those of up to 120 thousand faces. Prints a table
 // test_corpus bad       the folder bad: each is repaired and cut, or refused with a reason
 #include "support/run_program.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <map>
 #include <vector>
@@ -19,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::uintmax_t large_size = 1900000; // bytes of a packed file
 constexpr int small_mesh = 30000;              // faces
+constexpr int middle_mesh = 120000;
 
 int failures = 0, passed = 0;
 
@@ -172,6 +177,50 @@ void run_choices(const fs::path& corpus, bool all)
   for (const auto& [option, count] : refused) { std::cout << option << ": " << count << " meshes refused as too coarse\n"; }
 }
 
+// Texture coordinates: verified, without flipped faces, and one-to-one.
+void run_unwrap(const fs::path& corpus, bool all)
+{
+  const program::Workplace workplace;
+  std::cout << "| mesh | faces | genus | loops | charts | method | L2 stretch | Linf stretch | angle | area | seconds |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+  for (const auto& row : read_manifest(corpus / "MANIFEST.csv"))
+  {
+    if (std::stoi(row.at("F")) > (all ? middle_mesh : small_mesh)) { continue; }
+    const fs::path mesh = corpus / row.at("file");
+    const std::string name = mesh.filename().string();
+    const auto r = workplace.meridian("unwrap " + quoted(mesh) + " -o out.obj --report report.json");
+    check(r.status == 0, name, "unwrap: exit status " + std::to_string(r.status) + ": " + r.error);
+    if (r.status != 0) { continue; }
+    const auto verify = workplace.meridian("verify " + quoted(mesh) + " out.obj");
+    check(verify.status == 0, name, "verify: exit status " + std::to_string(verify.status) + ": " + verify.error);
+    const auto report = nlohmann::json::parse(program::read(workplace.folder() / "report.json"));
+    std::map<std::string, int> methods;
+    double faces = 0, seconds = 0, worst = 0;
+    std::array<double, 3> sum{0, 0, 0}; // square of the stretch, angle and area, by faces
+    for (const auto& c : report["components"])
+    {
+      const auto& p = c["parameterization"];
+      check(p["flipped"] == 0, name, "flipped faces");
+      check(p["one_to_one"] == true, name, "a chart overlaps itself");
+      ++methods[p["method"]];
+      const double n = c["faces"], stretch = p["stretch_l2"];
+      faces += n;
+      sum[0] += n * stretch * stretch;
+      sum[1] += n * p["angle"].get<double>();
+      sum[2] += n * p["area"].get<double>();
+      worst = std::max(worst, p["stretch_linf"].get<double>());
+      seconds += c["seconds"]["parameterize"].get<double>();
+    }
+    std::cout << "| " << row.at("file").substr(0, row.at("file").find('.')) << " | " << row.at("F") << " | " << row.at("genus_sum") << " | " << row.at("loops_sum") << " | "
+              << report["components"].size() << " |";
+    for (const auto& [method, count] : methods) { std::cout << ' ' << method << (methods.size() > 1 ? " (" + std::to_string(count) + ")" : ""); }
+    std::cout << std::flush;
+    std::printf(" | %.3f | %.4g | %.1f | %.2f | %.1f |\n", std::sqrt(sum[0] / faces), worst, sum[1] / faces, sum[2] / faces, seconds);
+    std::fflush(stdout);
+    workplace.shell("rm -f out.obj out.map.json report.json");
+    ++passed;
+  }
+}
+
 void run_bad(const fs::path& corpus)
 {
   std::vector<fs::path> meshes;
@@ -213,6 +262,7 @@ int main(int argc, char** argv)
   const std::string set = argc > 1 ? argv[1] : "manifest";
   if (set == "bad") { run_bad(corpus); }
   else if (set == "generators") { run_generators(corpus); }
+  else if (set == "unwrap") { run_unwrap(corpus, argc > 2 && std::string(argv[2]) == "all"); }
   else if (set == "choices") { run_choices(corpus, argc > 2 && std::string(argv[2]) == "all"); }
   else { run_manifest(corpus, set == "large"); }
   std::cout << passed << " runs, " << failures << " failures\n";

@@ -3,6 +3,7 @@
 #include "instances.h"
 
 #include <meridian/face_graph.h>
+#include <meridian/unwrap_face_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
@@ -63,6 +64,26 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(generators_are_closed_paths_of_a_refined_mesh, Tri
   BOOST_TEST(curves.size() == 4u);
   for (const auto& path : curves)
     for (std::size_t i = 0; i < path.size(); ++i) { BOOST_TEST(halfedge(path[i], path[(i + 1) % path.size()], refined).second); }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(halfedges_receive_texture_coordinates, TriangleMesh, Mesh_types)
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  const auto tm = build_mesh<TriangleMesh>(sample::torus(12, 8));
+  std::map<Halfedge, Kernel::Point_2> uv;
+  const Unwrapping u = unwrap(tm, boost::make_assoc_property_map(uv), parameters::unwrap_options(Unwrap_options()));
+  BOOST_TEST(uv.size() == 3 * num_faces(tm));
+  int seams = 0;
+  for (auto f : faces(tm))
+  {
+    const auto h = halfedge(f, tm);
+    BOOST_TEST((CGAL::orientation(uv[h], uv[next(h, tm)], uv[prev(h, tm)]) == CGAL::LEFT_TURN));
+  }
+  for (auto h : halfedges(tm)) { seams += uv[h] != uv[prev(opposite(h, tm), tm)] || uv[prev(h, tm)] != uv[opposite(h, tm)]; }
+  BOOST_TEST(seams == 2 * static_cast<int>(u.cut.opened.seams.size()));
+  std::map<Halfedge, Kernel::Point_2> by_default;
+  unwrap(tm, boost::make_assoc_property_map(by_default));
+  BOOST_TEST((by_default == uv));
 }
 
 BOOST_AUTO_TEST_CASE(the_cut_graph_is_an_edge_map_of_the_refined_mesh)

@@ -50,7 +50,7 @@ struct Map_comparison
   double variation = 0;                        ///< \f$ \| x_J - y_J \| \f$
   double bound = 0;                            ///< the lower bound of the variation; see `compare_maps()`
   double discrepancy = 0;                      ///< \f$ \| b_x - b_y \| \f$
-  double norm = 0;                             ///< an upper bound of \f$ \| L_{JJ} \|_2 \f$, nearly attained
+  double norm = 0;                             ///< an upper bound of \f$ \| L_{JJ} \|_2 \f$, as a rule less than a thousandth too large
   std::array<double, 2> residual{0, 0};        ///< of each map: \f$ \| L_{JJ} x_J - b_x \| / (\| L_{JJ} \|_2 \| x \|) \f$, with x at `J` and all its neighbours
   double diameter = 0;                         ///< of a circle with the area of the images
   double relative_variation = 0;               ///< root mean square of the distances over `J`, in diameters
@@ -119,6 +119,19 @@ inline void check_stars(const Triangle_surface& root, const Triangle_surface& di
       if (g < 0 || disc.opposite[g] < 0 || disc.apex(g) != root.apex(h) || disc.points[disc.target(g)] != root.points[root.target(h)])
         throw Invalid_input_error("compare_maps: a face at vertex " + std::to_string(v) + " is not a face of the disc; was the disc made of another surface?");
     });
+}
+
+// The weights of a disc, with those of the root at the untouched vertices.
+inline std::vector<double> weights_on_disc(const Triangle_surface& root, const Triangle_surface& disc, const std::vector<Index>& untouched,
+                                           const std::vector<double>& on_root, std::vector<double> on_disc)
+{
+  for (Index v : untouched)
+    root.for_each_outgoing(v, [&](Index h) {
+      const Index g = disc.find_halfedge(v, root.target(h));
+      on_disc[g] = on_root[h];
+      on_disc[disc.opposite[g]] = on_root[root.opposite[h]];
+    });
+  return on_disc;
 }
 
 // Scales a map to an area and brings the centroid of the given vertices to the origin.
@@ -235,7 +248,7 @@ inline double laplacian_residual(const Triangle_surface& root, const std::vector
  *
  * \throws Invalid_input_error if a disc is not one of this surface, or the surface or an image has no area
  * \par Complexity
- * One factorization, \f$ O(n^{1.5}) \f$, and some hundred products of the matrix and a vector.
+ * One factorization, \f$ O(n^{1.5}) \f$, and some hundred products of a matrix and a vector.
  */
 inline Map_comparison compare_maps(const Triangle_surface& root, const Cut_disc& first, const Cut_disc& second, const std::vector<double>& weights,
                                    std::array<std::vector<Plane_point>, 2> at)
@@ -312,14 +325,8 @@ Map_comparison compare_parameterizations(const Triangle_surface& root, const Cut
     const auto loops = boundary_loops(disc);
     if (loops.size() != 1)
       throw Invalid_input_error("compare_parameterizations: a disc has one boundary loop, not " + std::to_string(loops.size()));
-    std::vector<double> w = map_weights(disc, kind);
-    for (Index v : untouched)
-      root.for_each_outgoing(v, [&](Index h) {
-        const Index g = disc.find_halfedge(v, root.target(h));
-        w[g] = weights[h];
-        w[disc.opposite[g]] = weights[root.opposite[h]];
-      });
-    return map_into_polygon<SymmetricTraits>(disc, w, loops.front(), place_on_circle(places_along(disc, loops.front())));
+    const std::vector<double> on_disc = internal::weights_on_disc(root, disc, untouched, weights, map_weights(disc, kind));
+    return map_into_polygon<SymmetricTraits>(disc, on_disc, loops.front(), place_on_circle(places_along(disc, loops.front())));
   };
   return compare_maps(root, first, second, weights, {map(first.disc), map(second.disc)});
 }

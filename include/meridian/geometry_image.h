@@ -5,6 +5,7 @@
 #include <meridian/square_border.h>
 
 #include <cstdint>
+#include <numeric>
 
 namespace meridian {
 

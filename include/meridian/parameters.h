@@ -8,7 +8,7 @@
 #include <type_traits>
 
 // The table of this package's named parameters. NAME is what a caller writes, NAME_t the tag the library looks up.
-#define MERIDIAN_FOR_EACH_PARAMETER(X) X(cut_options) X(generator_options) X(field_map) X(vertex_weight_map)
+#define MERIDIAN_FOR_EACH_PARAMETER(X) X(cut_options) X(generator_options) X(unwrap_options) X(field_map) X(vertex_weight_map)
 
 namespace meridian {
 

@@ -78,7 +78,7 @@ inline void extend_cut(const Triangle_surface& root, Disc_cut& cut, Index vertex
  * \par Complexity
  * Linear.
  */
-inline void divide_chords(const Triangle_surface& root, Disc_cut& cut)
+inline void divide_border_chords(const Triangle_surface& root, Disc_cut& cut)
 {
   const Triangle_surface disc = surface_of(cut.surface, cut.opened); // its halfedges are those of the surface
   std::vector<Surface_curve> middles;
@@ -172,7 +172,7 @@ private:
         options.loop = u.border.loop;
         options.polygon = u.border.points;
       }
-      else if (options.border == Map_border::SQUARE && !m_options.cut.on_edges) { divide_chords(m_root, u.cut); }
+      else if (options.border == Map_border::SQUARE && !m_options.cut.on_edges) { divide_border_chords(m_root, u.cut); }
       u.disc = surface_of(u.cut.surface, u.cut.opened);
       options.progress = [&](double done) { run.progress(Stage::PARAMETERIZE, done); };
       u.map = parameterize_disc<SymmetricTraits, GeneralTraits>(u.disc, options);

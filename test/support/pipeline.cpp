@@ -47,6 +47,10 @@ Ordered_surface order(const Triangle_surface& root, const std::vector<double>& f
   return m;
 }
 
+Parameterization map(const Triangle_surface& disc, const Map_options& options) { return parameterize_disc(disc, options); }
+
+Unwrapping unwrap(const Triangle_surface& s, const Unwrap_options& options) { return unwrap_surface(s, options); }
+
 Run run(const Polygon_soup& soup, bool repair, const Cut_options& options)
 {
   Run r;

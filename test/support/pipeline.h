@@ -3,6 +3,7 @@
 #define MERIDIAN_TEST_PIPELINE_H
 
 #include <meridian/assemble_result.h>
+#include <meridian/unwrap_surface.h>
 #include <meridian/verify_cut.h>
 
 namespace pipeline {
@@ -21,6 +22,9 @@ Generators generators(const Triangle_surface& s, const Generator_options& option
 Homology_basis basis(const Triangle_surface& s, const Basis_options& options = Basis_options());
 // The same with the class of every curve.
 Generators classified(const Triangle_surface& s, const Generator_options& options = Generator_options());
+
+Parameterization map(const Triangle_surface& disc, const Map_options& options = Map_options());
+Unwrapping unwrap(const Triangle_surface& s, const Unwrap_options& options = Unwrap_options());
 
 // A whole run, as the program does it.
 struct Run { Examination examination; std::vector<Disc_cut> cuts; Assembled_result assembled; Verification verification; };

@@ -6,7 +6,7 @@
 
 #include <cmath>
 #include <map>
-#include <numeric>
+#include <string>
 
 namespace meridian {
 namespace internal {
@@ -77,8 +77,12 @@ inline Border_strands gather_border(const Refined_surface& s, const Opened_surfa
   const Index n = s.number_of_vertices();
   const auto below = [&](Index v) { return v < n ? v : opened.copy_of[v - n]; };
   std::vector<int> degree(n, 0);
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { if (s.seam[h]) { ++degree[s.source(h)]; } }
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { if (s.seam[h] && s.opposite[h] < 0) { throw Internal_error("square_border: a seam lies on the boundary"); } }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (!s.seam[h]) { continue; }
+    if (s.opposite[h] < 0) { throw Internal_error("square_border: a seam lies on the boundary"); }
+    ++degree[s.source(h)];
+  }
   const auto is_end = [&](Index h) {
     const Index v = below(disc.source(h));
     return degree[v] > 0 && (degree[v] != 2 || s.is_boundary_vertex(v));
@@ -204,7 +208,7 @@ inline Index vertex_near(const std::vector<double>& along, double step)
   const std::size_t right = std::lower_bound(along.begin(), along.end(), step) - along.begin();
   Index best = -1;
   double nearest = 0.5;
-  for (std::size_t i : {right, right - 1})
+  for (std::size_t i = right > 0 ? right - 1 : 0; i <= right; ++i)
   {
     if (i < 1 || i + 1 >= along.size()) { continue; }
     const double limit = std::min(along[i] - along[i - 1], along[i + 1] - along[i]) / 4, d = std::abs(along[i] - step);
