@@ -90,8 +90,8 @@ inline void divide_border_chords(const Triangle_surface& root, Disc_cut& cut)
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * \returns vertices of a disc around which a map stretches more than around their neighbours, the most stretched first. Where the map failed, those
- *          farthest from the border come first.
+ * \returns vertices in the middle of regions that a map stretches more than those around them, the most stretched first. Stretch is smoothed over a
+ *          region that grows with the surface. Where faces are flipped, vertices of such faces, those farthest from the border first.
  * \param disc the surface
  * \param map its map
  * \param most how many at most
@@ -112,6 +112,20 @@ inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, 
       if (a > 0) { sum[v] += a * map.faces[f].stretch_l2 * map.faces[f].stretch_l2; }
     }
   }
+  const int rounds = map.flipped.empty() ? static_cast<int>(std::sqrt(n) / 4) : 0;
+  for (int i = 0; i < rounds; ++i)
+    for (auto* values : {&sum, &area})
+    {
+      std::vector<double> next(n, 0);
+      for (Index v = 0; v < n; ++v)
+      {
+        double around = 0;
+        int neighbors = 0;
+        disc.for_each_outgoing(v, [&](Index h) { around += (*values)[disc.target(h)]; ++neighbors; });
+        next[v] = ((*values)[v] + around / neighbors) / 2;
+      }
+      *values = std::move(next);
+    }
   const Node_graph g = make_node_graph(disc);
   const auto depth = edge_distances(g, edge_lengths(disc, g), g.first_loop_node);
   const auto key = [&](Index v) { return std::make_tuple(area[v] > 0 ? sum[v] / area[v] : 0, depth[g.node[v]], -v); };
