@@ -16,7 +16,7 @@ namespace {
 std::vector<Cut_disc> read_cut(const std::string& name, const Polygon_soup& soup, const Examination& examination, std::vector<std::string>& failures)
 {
   std::vector<Cut_disc> discs;
-  const bool is_number = !name.empty() && name.size() < 7 && name.find_first_not_of("0123456789") == std::string::npos;
+  const bool is_number = !name.empty() && name.size() < 4 && name.find_first_not_of("0123456789") == std::string::npos;
   if (!is_number)
   {
     const files::Result_files result = files::read_result(name);

@@ -143,12 +143,12 @@ int main(int argc, char** argv)
   add_cut(*unwrap_command, unwrap);
 
   unwrap_command->add_option("--geometry-image", unwrap.geometry_image, "map into a square, and write N x N points of the surface as a 16-bit PNG and as the surface remeshed, beside OUT")
-    ->check(CLI::Range(3, 16384))->type_name("N")->group(pictures);
+    ->check(CLI::Range(5, 16384))->type_name("N")->group(pictures);
 
   Compare_arguments compare;
   CLI::App* compare_command = app.add_subcommand("compare", "compare the maps into the plane that two cuts of a mesh lead to, and bound their variation from below");
   compare_command->add_option("MESH", compare.mesh, "the mesh file")->required();
-  compare_command->add_option("--cut", compare.cuts, "a result of `cut` or `unwrap`, or the number of a member of the family (from 0); given twice")->required()->expected(2)->type_name("CUT");
+  compare_command->add_option("--cut", compare.cuts, "a result of `cut` or `unwrap`, or the number of a member of the family (0 to 999); given twice")->required()->expected(2)->type_name("CUT");
   compare_command->add_option("--weights", compare.weights, "of the linear map into a circle")->check(CLI::IsMember({"uniform", "positive", "cotangent"}))->capture_default_str();
   compare_command->add_flag("--repair", compare.repair, repair_help);
   add_common(*compare_command, compare);

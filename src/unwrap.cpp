@@ -5,7 +5,7 @@
 #include "files/write_mesh.h"
 #include "files/write_texture.h"
 #include "instances.h"
- #include "page/format_unwrap_page.h"
+#include "page/format_unwrap_page.h"
 
 #include <meridian/geometry_image.h>
 #include <meridian/measure_round_trip.h>
@@ -65,22 +65,29 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
   return o;
 }
 
-// Texture coordinates for the vertices of a result.
-std::vector<Plane_point> pack(const Loaded_mesh& loaded, const std::vector<Unwrapping>& unwrapped, const Assembled_result& assembled)
+// Packs the maps, and measures them as they then are. Returns texture coordinates for the vertices of a result.
+std::vector<Plane_point> pack(const Loaded_mesh& loaded, std::vector<Unwrapping>& unwrapped, const Assembled_result& assembled)
 {
+  double largest = 0;
+  for (const Surface_component& c : loaded.examination.components) { largest = std::max(largest, c.unit); }
   std::vector<Chart> charts;
   for (std::size_t i = 0; i < unwrapped.size(); ++i)
   {
-    const Triangle_surface& disc = unwrapped[i].disc;
-    double area = 0;
-    for (const auto& t : disc.triangles) { area += norm(cross(disc.points[t[1]] - disc.points[t[0]], disc.points[t[2]] - disc.points[t[0]])) / 2; }
-    const double unit = loaded.examination.components[i].unit;
-    charts.push_back({&disc.triangles, unwrapped[i].map.at, unit * unit * area});
+    const double unit = loaded.examination.components[i].unit / largest; // squares of units may leave the range of double
+    charts.push_back({&unwrapped[i].disc.triangles, unwrapped[i].map.at, unit * unit * area(unwrapped[i].disc)});
   }
   if (unwrapped.front().border.size == 0) { pack_charts(charts); } // the square of a geometry image stays as it is
   std::vector<Plane_point> texture(assembled.mesh.points.size(), {0, 0});
   for (std::size_t i = 0; i < charts.size(); ++i)
-    for (std::size_t v = 0; v < charts[i].at.size(); ++v) { texture[assembled.place[i][v]] = charts[i].at[v]; }
+  {
+    const Triangle_surface& disc = unwrapped[i].disc;
+    Parameterization& map = unwrapped[i].map;
+    map.at = std::move(charts[i].at);
+    map.flipped = find_flipped_faces(disc.triangles, map.at);
+    map.faces = measure_faces(disc.points, disc.triangles, map.at);
+    map.distortion = measure_distortion(disc.points, disc.triangles, map.at, map.faces);
+    for (std::size_t v = 0; v < map.at.size(); ++v) { texture[assembled.place[i][v]] = map.at[v]; }
+  }
   return texture;
 }
 
@@ -88,7 +95,11 @@ Json report_steps(const std::vector<Unwrap_step>& steps, double unit)
 {
   Json list = Json::array();
   for (const Unwrap_step& s : steps)
-    list.push_back({{"name", s.name}, {"length", unit * s.length}, {"stretch_l2", s.stretch_l2}, {"method", name_of(s.method)}, {"flipped", s.flipped}, {"taken", s.is_taken}});
+  {
+    list.push_back({{"name", s.name}, {"length", unit * s.length}, {"taken", s.is_taken}});
+    if (s.flipped < 0) { list.back()["reason"] = s.reason; }
+    else { list.back().update({{"stretch_l2", s.stretch_l2}, {"method", name_of(s.method)}, {"flipped", s.flipped}}); }
+  }
   return list;
 }
 
@@ -107,16 +118,27 @@ Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
           {"extensions", report_steps(u.extensions, unit)}};
 }
 
-// The distortion of each face of a result.
-std::vector<Face_distortion> distortion_of_faces(const Result_mesh& mesh, const std::vector<Plane_point>& texture, const std::vector<Unwrapping>& unwrapped)
+// The distortion of each face of a result, with numbers in place of infinity.
+std::vector<Face_distortion> distortion_of_faces(const Assembled_result& assembled, const std::vector<Plane_point>& texture, const std::vector<Unwrapping>& unwrapped)
 {
+  const Result_mesh& mesh = assembled.mesh;
+  std::vector<Point> points = mesh.points; // those of each component at its own scale
   std::vector<std::vector<std::array<Index, 3>>> triangles(unwrapped.size());
   for (std::size_t f = 0; f < mesh.faces.size(); ++f) { triangles[mesh.component_of[f]].push_back(mesh.faces[f]); }
   std::vector<std::vector<Face_distortion>> measured;
-  for (const auto& part : triangles) { measured.push_back(measure_faces(mesh.points, part, texture)); }
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    const auto& local = unwrapped[i].disc.points;
+    for (std::size_t v = 0; v < local.size(); ++v) { points[assembled.place[i][v]] = local[v]; }
+    measured.push_back(measure_faces(points, triangles[i], texture));
+  }
   std::vector<std::size_t> next(unwrapped.size(), 0);
   std::vector<Face_distortion> faces;
-  for (Index component : mesh.component_of) { faces.push_back(measured[component][next[component]++]); }
+  for (Index component : mesh.component_of)
+  {
+    faces.push_back(measured[component][next[component]++]);
+    for (double* value : {&faces.back().stretch_l2, &faces.back().stretch_linf, &faces.back().conformal, &faces.back().areal}) { *value = std::min(*value, 1e300); }
+  }
   return faces;
 }
 
@@ -200,15 +222,15 @@ int run_unwrap(const Unwrap_arguments& arguments)
     const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
     out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, fs::path(material).filename().string()));
     out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::UNWRAPPING));
-    const auto faces = distortion_of_faces(mesh, texture, unwrapped);
+    const auto faces = distortion_of_faces(result.assembled, texture, unwrapped);
     std::vector<double> stretch;
-    for (const Face_distortion& f : faces) { stretch.push_back(f.stretch_l2); }
+    for (const Face_distortion& f : faces) { stretch.push_back(std::min(f.stretch_l2, 1e30)); }
     if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, texture, stretch)); }
     if (!arguments.texture.empty())
     {
       out.add(arguments.texture, files::format_checkerboard(1024, 32));
-      const fs::path folder = fs::absolute(material).parent_path();
-      out.add(material, files::format_material(fs::absolute(arguments.texture).lexically_relative(folder).generic_string()));
+      const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(), image = fs::weakly_canonical(fs::absolute(arguments.texture));
+      out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
     }
     if (!arguments.distortion.empty())
     {
@@ -234,7 +256,11 @@ int run_unwrap(const Unwrap_arguments& arguments)
     for (std::size_t i = 0; i < unwrapped.size(); ++i)
     {
       const Unwrapping& u = unwrapped[i];
-      if (u.map.attempts.size() > 1) { std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << ", because " << name_of(options[i].map.method) << " left flipped faces\n"; }
+      const Map_attempt& asked = u.map.attempts.front();
+      if (u.map.attempts.size() > 1)
+        std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << " (border " << name_of(u.map.border) << "), because " << name_of(asked.method) << " (border "
+                  << name_of(asked.border) << ") " << (asked.flipped < 0 ? "gave no map: " + asked.reason : "left " + std::to_string(asked.flipped) + " flipped faces") << '\n';
+      if (!u.extensions.empty() && arguments.max_stretch == 0) { std::cout << "note: component " << i << ": the cut was extended, because its map was of no use\n"; }
       if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
         std::cout << "note: component " << i << ": the stretch is " << u.map.distortion.stretch_l2 << "; no further extension of the cut lowered it\n";
     }

@@ -6,6 +6,7 @@
 
 #include <meridian/verify_unwrapping.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace meridian {
@@ -23,6 +24,9 @@ Verification verify_texture(const Polygon_soup& input, const files::Result_files
     const std::int32_t copied = result.mesh.copy_of[i];
     if (result.vertex_of[i] != (copied < 0 ? static_cast<std::int32_t>(i) : copied)) { misplaced.push_back(static_cast<std::int32_t>(i)); }
   }
+  const auto expected = std::count_if(result.mesh.copy_of.begin(), result.mesh.copy_of.end(), [](std::int32_t copied) { return copied < 0; });
+  if (result.vertices != expected)
+    v.failures.push_back("the file has " + std::to_string(result.vertices) + " vertices, but the map has " + std::to_string(expected) + " that are no copies");
   if (!misplaced.empty()) { v.failures.push_back(internal::list_elements("texture coordinates belong to the wrong vertex", misplaced)); }
   return v;
 }

@@ -73,7 +73,7 @@ struct Map_attempt
 /// a map of a disc into the plane.
 struct Parameterization
 {
-  std::vector<Plane_point> at;       ///< the image of each vertex
+  std::vector<Plane_point> at;       ///< the image of each vertex, in the unit square, as a multiple of 2^-50: what is counted of it holds wherever it is put
   Map_method method = Map_method::SYMMETRIC_DIRICHLET; ///< that was used
   Map_border border = Map_border::FREE;
   std::vector<Map_attempt> attempts; ///< the last is the one used, unless all had flipped faces; then that with the fewest
@@ -90,7 +90,7 @@ struct Parameterization
  *
  * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a free border, then
  * averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with weights changed until stretch is low; after a
- * square, whose sides may hold all corners of a face, a circle.
+ * square, whose sides may hold all corners of a face, a circle, unless a polygon is given.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
@@ -99,7 +99,7 @@ struct Parameterization
  * \returns the first map without flipped faces, or, if there is none, that with the fewest
  * \pre `disc` is a disc
  * \par Complexity
- * One factorization for linear methods; one of twice the size for each step of `SYMMETRIC_DIRICHLET` and `ARAP`.
+ * One factorization for linear methods, two for each step of `ARAP`, and one of twice the size for each of `SYMMETRIC_DIRICHLET`.
  */
 template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options = Map_options());

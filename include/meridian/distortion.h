@@ -76,7 +76,7 @@ inline std::vector<Face_distortion> measure_faces(const std::vector<Point>& poin
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * \returns the distortion of a map. Faces without area on the surface count nowhere but in the largest stretch.
+ * \returns the distortion of a map; that of an isometry if the surface has no area. Faces without area count nowhere but in the largest stretch.
  * \param points, triangles the surface
  * \param at the image of each vertex
  * \param faces what `measure_faces()` found
@@ -95,6 +95,7 @@ inline Distortion measure_distortion(const std::vector<Point>& points, const std
     areas.push_back(norm(cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]])) / 2);
     area += areas.back();
   }
+  if (!(area > 0)) { return Distortion(); }
   for (std::size_t f = 0; f < triangles.size(); ++f)
   {
     const auto& t = triangles[f];

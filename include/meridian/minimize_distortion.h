@@ -100,14 +100,13 @@ public:
   // Moves the points. Returns the part of the energy that the step could have gained, if nothing had been in its way.
   double step()
   {
-    const std::size_t n = m_at.size();
     if (m_rows == 0) { return 0; }
+    const std::size_t n = m_at.size();
+    std::vector<Plane_point> with_box = m_at;
     // What is outside resists being squeezed. Its triangles are made anew for each step, so they can give way.
     m_outside.clear();
-    if (m_has_free_border) { for (const auto& t : triangulate_outside(m_loop, m_at)) { m_outside.push_back(rest_as_is(t, m_at)); } }
+    if (m_has_free_border) { for (const auto& t : triangulate_outside(m_loop, with_box)) { m_outside.push_back(rest_as_is(t, with_box)); } }
     for (Rest_triangle& t : m_outside) { t.weight = m_resistance * m_area / static_cast<double>(m_outside.size()); }
-    const std::vector<Plane_point> with_box = m_at;
-    m_at.resize(n);
     std::vector<Plane_point> move(with_box.size(), {0, 0});
     const double slope = find_direction(with_box, move);
     const double before = energy(m_at), gain = -slope / before;
@@ -225,7 +224,7 @@ private:
  * \param options see there
  *
  * \pre `disc` is a disc; in `at` no face is turned over or without area, and the border is a simple polygon
- * \throws Solver_error if a step cannot be solved
+ * \throws Solver_error if a step cannot be solved; `at` is then the map after the step before
  * \par Complexity
  * One factorization of twice as many equations as vertices for each step.
  */

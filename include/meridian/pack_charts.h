@@ -56,34 +56,21 @@ inline Plane_point upright_direction(const std::vector<Plane_point>& at)
   return best;
 }
 
-} // namespace internal
-
-/*!
- * \ingroup PkgMeridianParameterization
- *
- * puts charts side by side into the unit square, all at one scale of area, so that their bounding rectangles are disjoint.
- *
- * Each chart is turned until its bounding rectangle is smallest, unless rounding would turn a face over; the rectangles stand on
- * shelves, the highest first.
- *
- * \param charts the charts; their points are moved
- * \par Complexity
- * \f$ O(n \log n) \f$
- */
-inline void pack_charts(std::vector<Chart>& charts)
+// The images of charts, side by side in the unit square. Some charts are turned upright.
+inline std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Chart>& charts, const std::vector<char>& is_turned)
 {
   struct Box { double width, height, x, y; };
   std::vector<Box> boxes;
+  std::vector<std::vector<Plane_point>> placed;
   double total = 0;
-  for (Chart& chart : charts)
+  for (std::size_t c = 0; c < charts.size(); ++c)
   {
+    const Chart& chart = charts[c];
     const double image = area_of(*chart.triangles, chart.at);
     const double scale = image > 0 && chart.area > 0 ? std::sqrt(chart.area / image) : 1;
-    const Plane_point d = internal::upright_direction(chart.at);
+    const Plane_point d = is_turned[c] ? upright_direction(chart.at) : Plane_point{1, 0};
     std::vector<Plane_point> turned;
     for (const Plane_point& p : chart.at) { turned.push_back({scale * dot(p, d), scale * cross(d, p)}); }
-    if (find_flipped_faces(*chart.triangles, turned).size() > find_flipped_faces(*chart.triangles, chart.at).size())
-      for (std::size_t i = 0; i < turned.size(); ++i) { turned[i] = scale * chart.at[i]; }
     Plane_point low = turned.front(), high = low;
     for (const Plane_point& p : turned)
       for (int k = 0; k < 2; ++k)
@@ -92,7 +79,7 @@ inline void pack_charts(std::vector<Chart>& charts)
         high[k] = std::max(high[k], p[k]);
       }
     for (Plane_point& p : turned) { p = p - low; }
-    chart.at = std::move(turned);
+    placed.push_back(std::move(turned));
     boxes.push_back({high[0] - low[0], high[1] - low[1], 0, 0});
     total += boxes.back().width * boxes.back().height;
   }
@@ -133,7 +120,32 @@ inline void pack_charts(std::vector<Chart>& charts)
   }
   const double size = stack(best);
   for (std::size_t i = 0; i < charts.size(); ++i)
-    for (Plane_point& p : charts[i].at) { p = {std::min((p[0] + boxes[i].x) / size, 1.), std::min((p[1] + boxes[i].y) / size, 1.)}; }
+    for (Plane_point& p : placed[i]) { p = {std::min((p[0] + boxes[i].x) / size, 1.), std::min((p[1] + boxes[i].y) / size, 1.)}; }
+  return placed;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgMeridianParameterization
+ *
+ * puts charts side by side into the unit square, all at one scale of area, so that their bounding rectangles are disjoint.
+ *
+ * Each chart is turned until its bounding rectangle is smallest, unless rounding would then turn a face over; the rectangles stand on
+ * shelves, the highest first.
+ *
+ * \param charts the charts; their points are moved
+ * \par Complexity
+ * \f$ O(n \log n) \f$
+ */
+inline void pack_charts(std::vector<Chart>& charts)
+{
+  std::vector<char> is_turned(charts.size(), 1);
+  auto placed = internal::lay_out_charts(charts, is_turned);
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    is_turned[i] = find_flipped_faces(*charts[i].triangles, placed[i]).size() <= find_flipped_faces(*charts[i].triangles, charts[i].at).size();
+  if (std::count(is_turned.begin(), is_turned.end(), 0) > 0) { placed = internal::lay_out_charts(charts, is_turned); }
+  for (std::size_t i = 0; i < charts.size(); ++i) { charts[i].at = std::move(placed[i]); }
 }
 
 } // namespace meridian

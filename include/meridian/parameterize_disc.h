@@ -52,7 +52,7 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
   const auto loop = is_given ? options.loop : boundary_loops(disc).front();
   const auto places = places_along(disc, loop);
-  const auto polygon = is_given ? options.polygon : border == Map_border::SQUARE && loop.size() >= 4 ? place_on_square(places) : place_on_circle(places);
+  const auto polygon = is_given ? options.polygon : border == Map_border::SQUARE ? place_on_square(places) : place_on_circle(places);
   if (method == Map_method::POSITIVE)
   {
     at = map_into_polygon<SymmetricTraits>(disc, edge_weights(disc, Weights::POSITIVE), loop, polygon);
@@ -64,8 +64,24 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   Distortion_options distortion;
   distortion.has_free_border = border == Map_border::FREE;
   distortion.progress = options.progress;
-  minimize_distortion<SymmetricTraits>(disc, at, distortion);
+  try { minimize_distortion<SymmetricTraits>(disc, at, distortion); }
+  catch (const Solver_error&) {} // what was reached so far is a map
   return "";
+}
+
+// Moves a map into the unit square and rounds it to 50 bits, so that it fits wherever it is packed later.
+inline void place_in_unit_square(std::vector<Plane_point>& at)
+{
+  Plane_point low = at.front(), high = low;
+  for (const Plane_point& p : at)
+    for (int k = 0; k < 2; ++k)
+    {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  const double size = std::max(high[0] - low[0], high[1] - low[1]), grid = std::ldexp(1., 50);
+  for (Plane_point& p : at)
+    for (int k = 0; k < 2; ++k) { p[k] = size > 0 ? std::nearbyint((p[k] - low[k]) / size * grid) / grid : 0; }
 }
 
 } // namespace internal
@@ -73,16 +89,18 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
 template <class SymmetricTraits, class GeneralTraits>
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options)
 {
+  const bool is_small = boundary_loops(disc).front().size() < 4; // no square
   using Choice = std::pair<Map_method, Map_border>;
   std::vector<Choice> choices;
   const auto add = [&](Map_method m, Map_border border) {
     if (border == Map_border::FREE && !has_free_border(m)) { border = Map_border::CIRCLE; }
+    if (border == Map_border::SQUARE && is_small) { border = Map_border::CIRCLE; }
     if (m == Map_method::LSCM || m == Map_method::ARAP) { border = Map_border::FREE; }
     if (std::find(choices.begin(), choices.end(), Choice(m, border)) == choices.end()) { choices.emplace_back(m, border); }
   };
   add(options.method, options.border);
   if (choices.front().second == Map_border::FREE) { add(Map_method::SYMMETRIC_DIRICHLET, Map_border::FREE); }
-  for (Map_border border : {options.border, Map_border::CIRCLE})
+  for (Map_border border : {options.border, options.polygon.empty() ? Map_border::CIRCLE : options.border})
     for (Map_method m : {Map_method::POSITIVE, Map_method::TUTTE, Map_method::STRETCH}) { add(m, border); }
 
   Parameterization best;
@@ -97,6 +115,7 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
       best.attempts.push_back({method, border, -1, reason});
       continue;
     }
+    internal::place_in_unit_square(at);
     auto flipped = find_flipped_faces(disc.triangles, at);
     best.attempts.push_back({method, border, static_cast<Index>(flipped.size()), ""});
     if (best.at.empty() || flipped.size() < best.flipped.size())

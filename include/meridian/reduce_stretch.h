@@ -106,7 +106,7 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
 {
   Stretched_map best = judge_map(disc, map_into_polygon<SymmetricTraits>(disc, weights, loop, border)), last = best;
   double power = 1;
-  for (int i = 0; (i < steps || (best.flips > 0 && i < 60)) && power > 0.2; ++i)
+  for (int i = 0; (i < steps || (best.flips > 0 && i < 8)) && power > 0.2; ++i)
   {
     const auto stretch = last.flips > 0 ? edge_stretch_at_vertices(disc, last.at) : stretch_at_vertices(disc, last.faces);
     std::vector<double> next = weights;
@@ -116,7 +116,7 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
       next[h] /= std::pow(stretch[disc.source(h)] * stretch[disc.target(h)], power / 2);
       largest = std::max(largest, next[h]);
     }
-    for (double& w : next) { w = std::max(w / largest, 1e-100); }
+    for (double& w : next) { w = std::max(w / largest, 1e-280); }
     Stretched_map now;
     try { now = judge_map(disc, map_into_polygon<SymmetricTraits>(disc, next, loop, border)); }
     catch (const Solver_error&) { power /= 2; continue; }
@@ -145,7 +145,7 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
  * \param disc the surface
  * \param loop its boundary, as halfedges
  * \param border the image of each halfedge's source, on a convex polygon, counterclockwise
- * \param steps how often weights are changed at most, once no face is flipped; until then up to 60 times
+ * \param steps how often weights are changed at most, once no face is flipped; until then up to 8 times
  *
  * \returns the image of each vertex: of the maps without flipped faces that of the least stretch; if there is none, that with the fewest
  * \pre no inner edge joins two points of one side of the polygon

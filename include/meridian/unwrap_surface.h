@@ -29,8 +29,9 @@ struct Unwrap_step
   std::string name;
   double length, stretch_l2; ///< of the seams, on the surface; of the map
   Map_method method;
-  Index flipped;             ///< faces turned over or without area
+  Index flipped;             ///< faces turned over or without area; -1 if there was no map
   bool is_taken;             ///< whether it was better than those before
+  std::string reason = {};   ///< why there was no map
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -91,12 +92,12 @@ inline void divide_border_chords(const Triangle_surface& root, Disc_cut& cut)
  * \ingroup PkgMeridianParameterization
  *
  * \returns vertices in the middle of regions that a map stretches more than those around them, the most stretched first. Stretch is smoothed over a
- *          region that grows with the surface. Where faces are flipped, vertices of such faces, those farthest from the border first.
+ *          region that grows with the surface.
  * \param disc the surface
  * \param map its map
  * \param most how many at most
  * \par Complexity
- * \f$ O(n \log n) \f$
+ * \f$ O(n^{1.5}) \f$, for the smoothing
  */
 inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, const Parameterization& map, std::size_t most)
 {
@@ -112,7 +113,7 @@ inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, 
       if (a > 0) { sum[v] += a * map.faces[f].stretch_l2 * map.faces[f].stretch_l2; }
     }
   }
-  const int rounds = map.flipped.empty() ? static_cast<int>(std::sqrt(n) / 4) : 0;
+  const int rounds = static_cast<int>(std::sqrt(n) / 4);
   for (int i = 0; i < rounds; ++i)
     for (auto* values : {&sum, &area})
     {
@@ -126,9 +127,7 @@ inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, 
       }
       *values = std::move(next);
     }
-  const Node_graph g = make_node_graph(disc);
-  const auto depth = edge_distances(g, edge_lengths(disc, g), g.first_loop_node);
-  const auto key = [&](Index v) { return std::make_tuple(area[v] > 0 ? sum[v] / area[v] : 0, depth[g.node[v]], -v); };
+  const auto key = [&](Index v) { return std::make_pair(area[v] > 0 ? sum[v] / area[v] : 0, -v); };
   std::vector<Index> peaks;
   for (Index v = 0; v < n; ++v)
   {
@@ -150,11 +149,7 @@ class Unwrapper
 public:
   Unwrapper(const Triangle_surface& root, const Unwrap_options& options) : m_root(root), m_options(options)
   {
-    for (Index f = 0; f < root.number_of_faces(); ++f)
-    {
-      const auto& t = root.triangles[f];
-      m_area += norm(cross(root.points[t[1]] - root.points[t[0]], root.points[t[2]] - root.points[t[0]])) / 2;
-    }
+    m_area = area(root);
   }
 
   Unwrapping run()
@@ -193,6 +188,15 @@ private:
     });
   }
 
+  // The same for one of several. Returns why it has no map, or nothing.
+  std::string try_to_map(Unwrapping& u)
+  {
+    try { map(u); }
+    catch (const Invalid_input_error& e) { return e.what(); }
+    catch (const Solver_error& e) { return e.what(); }
+    return "";
+  }
+
   double cost(const Unwrapping& u) const
   {
     const double w = m_options.stretch_weight, length = m_area > 0 ? u.cut.length / std::sqrt(m_area) : u.cut.length;
@@ -220,20 +224,26 @@ private:
     {
       Unwrapping u;
       u.cut = std::move(member->cut);
-      map(u);
-      const bool is_first = m_best.members.empty(), is_taken = is_first || is_better(u, m_best);
+      const std::string failure = try_to_map(u);
+      if (!failure.empty())
+      {
+        m_best.members.push_back({member->name, u.cut.length, 0, m_options.map.method, -1, false, failure});
+        continue;
+      }
+      const bool is_first = m_best.map.at.empty(), is_taken = is_first || is_better(u, m_best);
       m_best.members.push_back(describe(member->name, u, is_taken));
       if (!is_taken) { continue; }
       m_chosen = member->options;
       take(std::move(u));
     }
+    if (m_best.map.at.empty()) { throw Solver_error("no cut of the family has a map: " + m_best.members.back().reason); }
   }
 
   // Other links between the same meridians, as long as one of them is better.
   void vary_links()
   {
     const bool has_links = m_chosen.method != Cut_method::TREE_COTREE && m_chosen.method != Cut_method::GEOMETRY_IMAGE && m_chosen.tightening != Tightening::GRAPH;
-    for (bool goes_on = true; goes_on;)
+    for (bool goes_on = true; goes_on && static_cast<int>(m_best.variations.size()) < m_options.extensions;)
     {
       goes_on = false;
       std::vector<std::pair<std::string, Cut_options>> choices;
@@ -252,7 +262,8 @@ private:
       for (const auto& [name, options] : choices)
       {
         Unwrapping u;
-        u.cut = cut_to_disc<SymmetricTraits, GeneralTraits>(m_root, options);
+        try { u.cut = cut_to_disc<SymmetricTraits, GeneralTraits>(m_root, options); }
+        catch (const Invalid_input_error&) { continue; } // these links do not suit the surface
         goes_on = judge(name, std::move(u), m_best.variations, [&](const Unwrapping& tried) { return is_better(tried, m_best); });
         if (!goes_on) { continue; }
         m_chosen = options;
@@ -263,19 +274,52 @@ private:
     }
   }
 
-  // To the regions of highest stretch (Gu, Gortler, Hoppe 2002), and first to those where faces are turned over.
+  // Whether a map is of no use: faces are flipped, or a part of the surface shrank to almost nothing in a map that could have avoided it.
+  bool is_useless() const
+  {
+    const bool could_unfold = m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
+    return !m_best.map.flipped.empty() || (could_unfold && m_best.map.distortion.stretch_l2 > useless_stretch);
+  }
+
+  // To such parts as long as there are some, then to the regions of highest stretch (Gu, Gortler, Hoppe 2002).
   void extend()
   {
-    const auto is_needed = [&] { return !m_best.map.flipped.empty() || (m_options.max_stretch > 0 && m_best.map.distortion.stretch_l2 > m_options.max_stretch); };
     const auto is_progress = [&](const Unwrapping& u) {
       return std::make_pair(u.map.flipped.size(), u.map.distortion.stretch_l2) < std::make_pair(m_best.map.flipped.size(), m_best.map.distortion.stretch_l2);
     };
-    for (bool goes_on = true; goes_on && is_needed() && static_cast<int>(m_best.extensions.size()) < m_options.extensions;)
+    const auto may_go_on = [&] { return static_cast<int>(m_best.extensions.size()) < m_options.extensions; };
+    for (bool goes_on = true; goes_on && may_go_on() && is_useless();) { goes_on = extend_to_useless(is_progress); }
+    for (bool goes_on = true; goes_on && may_go_on() && m_options.max_stretch > 0 && m_best.map.distortion.stretch_l2 > m_options.max_stretch;)
     {
       goes_on = false;
       const auto peaks = find_stretched_vertices(m_best.disc, m_best.map, 4);
       for (std::size_t i = 0; i < peaks.size() && !goes_on; ++i) { goes_on = extend_to(peaks[i], m_best.extensions, is_progress); }
     }
+  }
+
+  // To some vertices of faces that are flipped or all but vanish: each time to the one deepest inside the disc, until none is a quarter as deep as the first.
+  template <class Is_progress> bool extend_to_useless(const Is_progress& is_progress)
+  {
+    Unwrapping u;
+    u.cut = m_best.cut;
+    std::vector<char> is_useless(u.cut.surface.number_of_vertices(), 0);
+    for (std::size_t f = 0; f < m_best.map.faces.size(); ++f)
+      for (Index v : m_best.disc.triangles[f])
+        if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v)) { is_useless[v] = 1; }
+    int extended = 0;
+    for (double first = 0; extended < 16; ++extended)
+    {
+      const Triangle_surface disc = surface_of(u.cut.surface, u.cut.opened);
+      const Node_graph g = make_node_graph(disc);
+      const auto depth = edge_distances(g, edge_lengths(disc, g), g.first_loop_node);
+      Index deepest = -1;
+      for (Index v = 0; v < static_cast<Index>(is_useless.size()); ++v)
+        if (is_useless[v] && !disc.is_boundary_vertex(v) && (deepest < 0 || depth[g.node[v]] > depth[g.node[deepest]])) { deepest = v; }
+      if (deepest < 0 || depth[g.node[deepest]] < first / 4) { break; }
+      if (extended == 0) { first = depth[g.node[deepest]]; }
+      extend_cut(m_root, u.cut, deepest, m_chosen.on_edges);
+    }
+    return extended > 0 && judge("extended to " + std::to_string(extended) + " vertices of faces that were flipped or all but vanished", std::move(u), m_best.extensions, is_progress);
   }
 
   template <class Is_progress> bool extend_to(Index vertex, std::vector<Unwrap_step>& record, const Is_progress& is_progress)
@@ -291,13 +335,19 @@ private:
   {
     const Verification recount = verify_cut(m_root, u.cut);
     if (!recount) { throw Internal_error("unwrap_surface: the recount of a cut " + name + " found " + recount.failures.front()); }
-    map(u);
+    const std::string failure = try_to_map(u);
+    if (!failure.empty())
+    {
+      record.push_back({name, u.cut.length, 0, m_options.map.method, -1, false, failure});
+      return false;
+    }
     const bool is_taken = is_progress(u);
     record.push_back(describe(name, u, is_taken));
     if (is_taken) { take(std::move(u)); }
     return is_taken;
   }
 
+  static constexpr double useless_stretch = 100;
   const Triangle_surface& m_root;
   const Unwrap_options& m_options;
   double m_area = 0;
@@ -314,7 +364,8 @@ private:
  *
  * The cut is the best of a family for the paper's functional, (1 - w) length + w stretch (Patane 2007, section 3.3); then its links are varied
  * as long as that gains. It is extended to the regions of highest stretch until the stretch is as small as asked (Gu, Gortler, Hoppe 2002), and, whether
- * asked or not, while faces are turned over that only a better cut can save. Every cut is recounted.
+ * asked or not, while faces are turned over, or a map with a free border has an L2 stretch of more than 100, which only a better cut can mend. Every cut
+ * is recounted.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param root the surface

@@ -14,8 +14,7 @@ Result_files read_result(const std::string& path)
   result.kind = read_map(map_path(path), result.mesh, fields);
   if (result.kind == Result_kind::UNWRAPPING)
   {
-    std::int32_t vertices = 0;
-    read_unwrapped(path, result.mesh, result.texture, result.vertex_of, vertices);
+    read_unwrapped(path, result.mesh, result.texture, result.vertex_of, result.vertices);
     return result;
   }
   const Polygon_soup opened = read_mesh(path);

@@ -15,6 +15,7 @@ struct Result_files
   std::vector<Result_curve> curves;           // of generators, with their fields
   std::vector<std::array<double, 2>> texture; // of an unwrapping, one a vertex of `mesh`
   std::vector<std::int32_t> vertex_of;        // the vertex of the file that each texture coordinate belongs to
+  std::int32_t vertices = 0;                  // how many the file has
 };
 
 // Reads a result and its map. Throws File_error.

@@ -14,7 +14,8 @@ namespace {
 
 // Whether the faces [first, last) of a result are the fan of polygon `p` of the input, each corner with one vertex of the opened
 // mesh in all of them. If so, `corners` receives these, in the order of the file.
-bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh, std::size_t first, std::size_t last, std::vector<std::int32_t>& corners)
+bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture, std::size_t first, std::size_t last,
+              std::vector<std::int32_t>& corners)
 {
   const std::size_t n = input.size(p);
   if (n <= 3 || last - first != n - 2) { return false; }
@@ -29,6 +30,12 @@ bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh,
   }
   for (std::size_t k = 1; k + 1 < n; ++k)
     if (mesh.faces[first + k - 1] != std::array<std::int32_t, 3>{corners[lowest], corners[(lowest + k) % n], corners[(lowest + k + 1) % n]}) { return false; }
+  for (std::size_t k = 0; k < n; ++k) // convex beyond rounding: whatever fan a reader cuts it by, no triangle is turned over
+  {
+    const auto &a = texture[corners[k]], &b = texture[corners[(k + 1) % n]], &c = texture[corners[(k + 2) % n]];
+    const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]);
+    if (!(left - right > 1e-15 * (std::abs(left) + std::abs(right)))) { return false; }
+  }
   return true;
 }
 
@@ -99,7 +106,7 @@ std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
   {
     const std::int32_t polygon = mesh.face_of[first];
     while (last < mesh.faces.size() && mesh.face_of[last] == polygon) { ++last; }
-    if (is_whole(input, static_cast<std::size_t>(polygon), mesh, first, last, corners)) { write_face(corners); }
+    if (is_whole(input, static_cast<std::size_t>(polygon), mesh, texture, first, last, corners)) { write_face(corners); }
     else { for (std::size_t f = first; f < last; ++f) { write_face(mesh.faces[f]); } }
   }
   return out.take();

@@ -12,8 +12,8 @@ namespace meridian {
 namespace files {
 
 // A mesh with texture coordinates, as OBJ: a `v` for each vertex that is no copy, a `vt` for each vertex of the opened mesh,
-// and faces that name both. A polygon of the input stands as it stood there, if its parts are the triangles of its fan and no
-// seam runs through it; otherwise its triangles do. With a name of a material library, faces have the material of
+// and faces that name both. A polygon of the input stands as it stood there, if its parts are the triangles of its fan, no
+// seam runs through it and its image is convex; otherwise its triangles do. With a name of a material library, faces have the material of
 // `format_material()`.
 //
 // `mesh` is an opened mesh whose copies follow the other vertices; `texture` has one entry a vertex.
