@@ -98,7 +98,8 @@ Options with_maps(Options options, const TriangleMesh& tm, const NamedParameters
  * \pre `disc` is empty, `tm` is connected
  * \throws Invalid_input_error, Solver_error, Cancelled as the function above
  */
-template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options>, int> = 0> // those are for the function above
 Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
 {
   static_assert(internal::uses_only<internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),

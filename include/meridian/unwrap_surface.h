@@ -147,10 +147,7 @@ template <class SymmetricTraits, class GeneralTraits>
 class Unwrapper
 {
 public:
-  Unwrapper(const Triangle_surface& root, const Unwrap_options& options) : m_root(root), m_options(options)
-  {
-    m_area = area(root);
-  }
+  Unwrapper(const Triangle_surface& root, const Unwrap_options& options) : m_root(root), m_options(options), m_area(area(root)) {}
 
   Unwrapping run()
   {
@@ -302,10 +299,10 @@ private:
   {
     Unwrapping u;
     u.cut = m_best.cut;
-    std::vector<char> is_useless(u.cut.surface.number_of_vertices(), 0);
+    std::vector<char> is_marked(u.cut.surface.number_of_vertices(), 0);
     for (std::size_t f = 0; f < m_best.map.faces.size(); ++f)
       for (Index v : m_best.disc.triangles[f])
-        if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v)) { is_useless[v] = 1; }
+        if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v)) { is_marked[v] = 1; }
     int extended = 0;
     for (double first = 0; extended < 16; ++extended)
     {
@@ -313,8 +310,8 @@ private:
       const Node_graph g = make_node_graph(disc);
       const auto depth = edge_distances(g, edge_lengths(disc, g), g.first_loop_node);
       Index deepest = -1;
-      for (Index v = 0; v < static_cast<Index>(is_useless.size()); ++v)
-        if (is_useless[v] && !disc.is_boundary_vertex(v) && (deepest < 0 || depth[g.node[v]] > depth[g.node[deepest]])) { deepest = v; }
+      for (Index v = 0; v < static_cast<Index>(is_marked.size()); ++v)
+        if (is_marked[v] && !disc.is_boundary_vertex(v) && (deepest < 0 || depth[g.node[v]] > depth[g.node[deepest]])) { deepest = v; }
       if (deepest < 0 || depth[g.node[deepest]] < first / 4) { break; }
       if (extended == 0) { first = depth[g.node[deepest]]; }
       extend_cut(m_root, u.cut, deepest, m_chosen.on_edges);
@@ -350,7 +347,7 @@ private:
   static constexpr double useless_stretch = 100;
   const Triangle_surface& m_root;
   const Unwrap_options& m_options;
-  double m_area = 0;
+  const double m_area;
   Cut_options m_chosen;
   Unwrapping m_best;
 };
