@@ -291,19 +291,10 @@ BOOST_FIXTURE_TEST_CASE(every_option_of_cut_gives_a_verified_result, Fixture)
 BOOST_FIXTURE_TEST_CASE(the_page_shows_the_surface_and_the_cut_without_an_error, Fixture)
 {
   BOOST_REQUIRE(meridian("cut mesh.obj -o disc.off --view page.html --quiet").status == 0);
-  const auto r = shell("timeout 100 '" MERIDIAN_CHROMIUM "' --headless --no-sandbox --disable-gpu --use-gl=swiftshader --enable-unsafe-swiftshader"
-                       " --ignore-gpu-blocklist --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync"
-                       " --user-data-dir=browser --window-size=800,600 --enable-logging=stderr --virtual-time-budget=5000 --dump-dom 'file://"
-                       + (folder() / "page.html").string() + "#count'");
-  const auto number = [&](const std::string& key) {
-    const std::size_t at = r.out.find(key + "=\"");
-    return at == std::string::npos ? -1 : std::atoi(r.out.c_str() + at + key.size() + 2);
-  };
-  BOOST_TEST(number("data-pixels") > 10000);
-  BOOST_TEST(number("data-cut-pixels") > 100);
-  std::istringstream lines(r.error);
-  for (std::string line; std::getline(lines, line);)
-    if (contains(line, "CONSOLE")) { BOOST_TEST((!contains(line, "ERROR") && !contains(line, "Error") && !contains(line, "Uncaught")), line); }
+  const auto shown = show("page.html", MERIDIAN_CHROMIUM);
+  BOOST_TEST(shown.number("data-pixels") > 10000);
+  BOOST_TEST(shown.number("data-cut-pixels") > 100);
+  for (const std::string& line : shown.errors) { BOOST_ERROR(line); }
 }
 #endif
 

@@ -2,12 +2,8 @@
 #ifndef MERIDIAN_EMBED_IN_PLANE_H
 #define MERIDIAN_EMBED_IN_PLANE_H
 
-#include <meridian/Node_graph.h>
+#include <meridian/convex_map.h>
 #include <meridian/edge_weights.h>
-#include <meridian/internal/laplace_system.h>
-#include <meridian/solver_traits.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace meridian {
 
@@ -66,45 +62,10 @@ Planar_embedding embed_in_plane(const Triangle_surface& s)
   }
   connect(filled);
 
-  const Index n = filled.number_of_vertices();
-  std::vector<std::array<double, 2>> at(n, {0, 0});
-  std::vector<char> is_outer(n, 0);
-  const double whole = length_of(loops[outer]);
-  const double size = static_cast<double>(loops[outer].size());
-  double along = 0;
-  for (Index h : loops[outer])
-  {
-    // Half by length, half by number: edges without length keep a place on the circle.
-    const double angle = 2 * std::acos(-1.) * along;
-    at[s.source(h)] = {std::cos(angle), std::sin(angle)};
-    is_outer[s.source(h)] = 1;
-    along += 0.5 / size + (whole > 0 ? 0.5 * s.length(h) / whole : 0.5 / size);
-  }
-
-  Node_graph g; // the vertices themselves: nothing is shrunk here
-  g.number_of_nodes = n;
-  g.begin.assign(n + 1, 0);
-  for (Index h = 0; h < filled.number_of_halfedges(); ++h) { ++g.begin[filled.source(h) + 1]; }
-  for (Index v = 0; v < n; ++v) { g.begin[v + 1] += g.begin[v]; }
-  g.halfedge.resize(g.begin.back());
-  g.neighbor.resize(g.begin.back());
-  std::vector<Index> fill(g.begin.begin(), g.begin.end() - 1), inner;
-  for (Index h = 0; h < filled.number_of_halfedges(); ++h)
-  {
-    const Index i = fill[filled.source(h)]++;
-    g.halfedge[i] = h;
-    g.neighbor[i] = filled.target(h);
-  }
-  for (Index v = 0; v < n; ++v) { if (!is_outer[v]) { inner.push_back(v); } }
-  const auto weights = edge_weights(filled, Weights::POSITIVE);
-  internal::Laplace_system<SymmetricTraits> system(g, weights);
-  system.template solve<2>(inner, [&](Index v) { return at[v]; }, [&](Index v, int i, double x) { at[v][i] = x; });
-
+  const auto at = map_into_polygon<SymmetricTraits>(filled, edge_weights(filled, Weights::POSITIVE), loops[outer], place_on_circle(places_along(s, loops[outer])));
   Planar_embedding embedding;
   for (const auto& p : at) { embedding.points.emplace_back(p[0], p[1]); }
-  embedding.is_valid = std::all_of(filled.triangles.begin(), filled.triangles.end(), [&](const auto& t) {
-    return CGAL::orientation(embedding.points[t[0]], embedding.points[t[1]], embedding.points[t[2]]) == CGAL::COUNTERCLOCKWISE;
-  });
+  embedding.is_valid = find_flipped_faces(filled.triangles, at).empty();
   embedding.points.resize(s.number_of_vertices());
   return embedding;
 }

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace program {
 
@@ -49,6 +50,30 @@ public:
     const std::string line = "cd '" + folder().string() + "' && { " + command + "; } >'" + (m_base / "out").string() + "' 2>'" + (m_base / "error").string() + "' </dev/null";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read(m_base / "out"), read(m_base / "error")};
+  }
+  // A page as a browser shows it.
+  struct Shown
+  {
+    std::string dom;
+    std::vector<std::string> errors; // of the console
+    int number(const std::string& attribute) const
+    {
+      const std::size_t at = dom.find(attribute + "=\"");
+      return at == std::string::npos ? -1 : std::atoi(dom.c_str() + at + attribute.size() + 2);
+    }
+  };
+  Shown show(const std::string& page, const std::string& browser) const
+  {
+    const Result r = shell("timeout 100 '" + browser + "' --headless --no-sandbox --disable-gpu --use-gl=swiftshader --enable-unsafe-swiftshader"
+                           " --ignore-gpu-blocklist --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync"
+                           " --user-data-dir=browser --window-size=800,600 --enable-logging=stderr --virtual-time-budget=5000 --dump-dom 'file://"
+                           + (folder() / page).string() + "#count'");
+    Shown shown{r.out, {}};
+    std::istringstream lines(r.error);
+    for (std::string line; std::getline(lines, line);)
+      if (line.find("CONSOLE") != std::string::npos && (line.find("rror") != std::string::npos || line.find("ERROR") != std::string::npos || line.find("Uncaught") != std::string::npos))
+        shown.errors.push_back(line);
+    return shown;
   }
   Result meridian(const std::string& arguments) const { return shell(std::string("'") + MERIDIAN_PROGRAM + "' " + arguments); }
 
