@@ -6,4 +6,4 @@ cd "$(dirname "$0")/.."
 src/install-packages.sh test
 cmake --preset release >/dev/null
 cmake --build --preset release -j "$(nproc)"
-ctest --preset release
+ctest --preset release -j "$(nproc)"
