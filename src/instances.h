@@ -3,11 +3,11 @@
 #ifndef MERIDIAN_INSTANCES_H
 #define MERIDIAN_INSTANCES_H
 
-#include <meridian/compare_parameterizations.h>
-#include <meridian/cut_to_disc.h>
-#include <meridian/fields.h>
-#include <meridian/shortest_basis.h>
-#include <meridian/unwrap_surface.h>
+#include <meridian/unwrap/compare_parameterizations.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/field/fields.h>
+#include <meridian/handles/find_shortest_basis.h>
+#include <meridian/unwrap/unwrap_surface.h>
 
 namespace meridian {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "instances.h"
 
-#include <meridian/parameterize_disc.h>
+#include <meridian/map/parameterize_disc.h>
 
 namespace meridian {
 

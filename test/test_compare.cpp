@@ -4,8 +4,8 @@
 
 #include "instances.h"
 
-#include <meridian/compare_parameterizations.h>
-#include <meridian/cut_family.h>
+#include <meridian/unwrap/compare_parameterizations.h>
+#include <meridian/unwrap/cut_family.h>
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>

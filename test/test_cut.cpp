@@ -1,7 +1,7 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
-#include <meridian/internal/tree_cotree.h>
+#include <meridian/handles/internal/tree_cotree.h>
 
 namespace data = boost::unit_test::data;
 using namespace meridian;

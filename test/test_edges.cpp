@@ -7,9 +7,9 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <meridian/edge_cuts_near_seams.h>
-#include <meridian/link_on_edges.h>
-#include <meridian/snap_to_edges.h>
+#include <meridian/cut/edge_cuts_near.h>
+#include <meridian/cut/link_on_edges.h>
+#include <meridian/curves/snap_to_edges.h>
 
 #include <set>
 
@@ -295,7 +295,7 @@ BOOST_AUTO_TEST_CASE(of_all_base_points_of_a_torus_the_best_is_on_the_inner_circ
 BOOST_DATA_TEST_CASE(an_annulus_is_cut_across_along_the_shortest_way, data::xrange(5), seed)
 {
   const auto s = sample::renumbered(sample::noisy(annulus(11, 8), 0.4, seed), seed);
-  const Node_graph g = make_node_graph(s);
+  const Closed_model g = make_closed_model(s);
   BOOST_REQUIRE(g.number_of_nodes == g.first_loop_node + 2);
   const double across = edge_distances(g, edge_lengths(s, g), g.first_loop_node)[g.first_loop_node + 1];
   const auto close = boost::test_tools::tolerance(1e-9);
@@ -394,7 +394,7 @@ BOOST_AUTO_TEST_CASE(links_of_edges_leave_a_disc_of_genus_0)
       BOOST_TEST(passes);
       if (source >= 0) { continue; }
       // No longer than a minimum spanning tree of the boundaries, whose distances go along edges and never along a boundary.
-      const Node_graph g = make_node_graph(s);
+      const Closed_model g = make_closed_model(s);
       const Index loops = g.number_of_nodes - g.first_loop_node;
       if (loops < 2) { continue; }
       auto lengths = edge_lengths(s, g);

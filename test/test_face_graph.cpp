@@ -2,8 +2,8 @@
 
 #include "instances.h"
 
-#include <meridian/face_graph.h>
-#include <meridian/unwrap_face_graph.h>
+#include <meridian/mesh/face_graph.h>
+#include <meridian/mesh/unwrap_face_graph.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>

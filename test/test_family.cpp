@@ -4,8 +4,8 @@
 
 #include "instances.h"
 
-#include <meridian/cut_family.h>
-#include <meridian/visibility.h>
+#include <meridian/unwrap/cut_family.h>
+#include <meridian/surface/visibility.h>
 
 namespace data = boost::unit_test::data;
 using namespace meridian;

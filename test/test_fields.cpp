@@ -1,9 +1,9 @@
 #include "support/sample_surfaces.h"
 
-#include <meridian/eigenfunctions.h>
-#include <meridian/geodesic_distance.h>
-#include <meridian/intrinsic_delaunay.h>
-#include <meridian/solve_harmonic_field.h>
+#include <meridian/field/eigenfunctions.h>
+#include <meridian/field/geodesic_distance.h>
+#include <meridian/field/intrinsic_delaunay.h>
+#include <meridian/field/solve_harmonic_field.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -30,7 +30,7 @@ double product(const std::vector<double>& mass, const std::vector<double>& x, co
 
 Eigenfunctions eigenfunctions(const Triangle_surface& s, int k, Weights kind = Weights::COTANGENT)
 {
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   return find_eigenfunctions(g, edge_weights(s, kind), node_areas(s, g), k);
 }
 
@@ -169,7 +169,7 @@ BOOST_AUTO_TEST_CASE(eigenvalues_of_the_flat_torus)
 {
   constexpr int n = 80;
   const auto s = sample::torus(n, n);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   std::vector<double> weights(s.number_of_halfedges(), 0);
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
@@ -190,7 +190,7 @@ BOOST_DATA_TEST_CASE(eigenfunctions_are_orthonormal_solutions, data::xrange(8), 
   const Triangle_surface s = which == 0 ? sample::sphere(0) : which == 1 ? sample::sphere(1) : which == 2 ? sample::torus(40, 20)
                            : which == 3 ? sample::plate(2) : which == 4 ? potato() : which == 5 ? sample::dumbbell(60)
                            : which == 6 ? sample::punctured(sample::torus(30, 18), {5, 200, 400}) : sample::torus(800, 8, 300);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const int k = std::min(9, g.number_of_nodes - 1);
   const auto mass = node_areas(s, g);
   for (Weights kind : {Weights::COTANGENT, Weights::POSITIVE})
@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(no_copy_of_an_eigenvalue_is_missed)
   s.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
   s.triangles = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
   connect(s);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   for (int k = 1; k <= 3; ++k)
   {
     const auto e = find_eigenfunctions(g, std::vector<double>(12, 1), std::vector<double>(4, 1), k);
@@ -272,8 +272,8 @@ BOOST_DATA_TEST_CASE(numbers_do_not_matter, data::xrange(3), seed)
     BOOST_REQUIRE(std::abs(b[w] - d[v]) < 1e-9);
   }
   for (int i = 1; i <= 6; ++i) { BOOST_TEST(f.values[i] == e.values[i], tolerance(1e-9)); }
-  const auto [low, high] = find_curved_extrema(s, make_node_graph(s), e);
-  const auto [other_low, other_high] = find_curved_extrema(t, make_node_graph(t), f);
+  const auto [low, high] = find_curved_extrema(s, make_closed_model(s), e);
+  const auto [other_low, other_high] = find_curved_extrema(t, make_closed_model(t), f);
   BOOST_TEST(other_low == at[s.points[low]]);
   BOOST_TEST(other_high == at[s.points[high]]);
 }
@@ -281,10 +281,10 @@ BOOST_DATA_TEST_CASE(numbers_do_not_matter, data::xrange(3), seed)
 BOOST_AUTO_TEST_CASE(areas_of_nodes_add_up)
 {
   const auto s = sample::punctured(sample::torus(30, 18), {5, 200, 400});
-  const auto areas = node_areas(s, make_node_graph(s));
+  const auto areas = node_areas(s, make_closed_model(s));
   BOOST_TEST(std::accumulate(areas.begin(), areas.end(), 0.) == area(s), tolerance(1e-12));
   // A loop has a third of each face at each of its corners.
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   double loop = 0;
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
@@ -300,12 +300,12 @@ BOOST_AUTO_TEST_CASE(curved_extrema_of_an_ellipsoid_are_its_ends)
 {
   auto s = sample::sphere(4);
   for (Point& p : s.points) { p[0] *= 3; }
-  const auto [a, b] = find_curved_extrema(s, make_node_graph(s), eigenfunctions(s, 6));
+  const auto [a, b] = find_curved_extrema(s, make_closed_model(s), eigenfunctions(s, 6));
   BOOST_TEST(std::min(a, b) == 0);
   BOOST_TEST(std::max(a, b) == 1);
 
   // Functions made by hand: the height has its extrema elsewhere; a function and its negative have the same ones.
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   Eigenfunctions e;
   e.values = {0, 1};
   e.functions.resize(2);
@@ -325,7 +325,7 @@ BOOST_AUTO_TEST_CASE(curved_extrema_of_an_ellipsoid_are_its_ends)
 BOOST_AUTO_TEST_CASE(curved_extrema_keep_off_loops_where_they_can)
 {
   auto s = sample::punctured(sample::torus(30, 18), {5, 200, 400});
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const auto [a, b] = find_curved_extrema(s, g, eigenfunctions(s, 8));
   BOOST_TEST(a != b);
   BOOST_TEST((!g.is_loop(a) && !g.is_loop(b)));
@@ -338,7 +338,7 @@ BOOST_AUTO_TEST_CASE(curved_extrema_keep_off_loops_where_they_can)
   BOOST_TEST((!g.is_loop(i) && !g.is_loop(j)));
   // A disc with one interior vertex has two nodes, both extrema.
   const auto t = sample::without(sample::sphere(0), [](Index f) { return f >= 4; });
-  const auto h = make_node_graph(t);
+  const auto h = make_closed_model(t);
   BOOST_REQUIRE(h.number_of_nodes == 2);
   const auto [c, d] = find_curved_extrema(t, h, eigenfunctions(t, 1));
   BOOST_TEST(c + d == 1);
@@ -347,7 +347,7 @@ BOOST_AUTO_TEST_CASE(curved_extrema_keep_off_loops_where_they_can)
 BOOST_AUTO_TEST_CASE(what_cannot_be_solved_is_refused)
 {
   const auto s = sample::sphere(2);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const auto mass = node_areas(s, g);
   auto weights = edge_weights(s, Weights::COTANGENT);
   BOOST_CHECK_THROW(find_eigenfunctions(g, weights, mass, 0), Invalid_input_error);
@@ -413,7 +413,7 @@ BOOST_AUTO_TEST_CASE(distance_is_finite_on_long_surfaces_and_faces_without_area)
         BOOST_REQUIRE(std::isfinite(x[v]));
         if (axes < 3) { BOOST_REQUIRE(x[v] >= distance(s.points[v], s.points[0]) - 0.3); }
       }
-      const auto g = make_node_graph(s);
+      const auto g = make_closed_model(s);
       const auto w = make_intrinsic_delaunay_graph(s);
       const auto mass = node_areas(s, g);
       const auto e = find_eigenfunctions(w.graph, w.weights, mass, 4);
@@ -454,7 +454,7 @@ BOOST_DATA_TEST_CASE(flips_keep_the_surface_and_end_delaunay, data::xrange(7), w
   BOOST_TEST((flipped > 0 || which == 2 || which == 5));
 
   const auto w = make_weighted_graph(s, t);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   BOOST_TEST(w.graph.node == g.node, boost::test_tools::per_element());
   BOOST_TEST(w.graph.representative == g.representative, boost::test_tools::per_element());
   BOOST_TEST(w.graph.number_of_nodes == g.number_of_nodes);
@@ -494,9 +494,9 @@ BOOST_DATA_TEST_CASE(intrinsic_weights_leave_no_other_extrema, data::xrange(4), 
   const Triangle_surface s = which == 0 ? thin_sphere(60, 6) : which == 1 ? sample::noisy(sample::torus(240, 8), 0.1, 1)
                            : which == 3 ? sample::noisy(sample::dumbbell(60), 0.25, 1) // with flat regions
                                         : sample::punctured(sample::noisy(sample::torus(240, 12), 0.1, 2), {5, 300, 700});
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const Index low = which == 3 ? 400 : 3, high = which == 3 ? 500 : g.number_of_nodes - 5;
-  const auto extrema = [&](const Node_graph& joined, const Scalar_field& field) {
+  const auto extrema = [&](const Closed_model& joined, const Scalar_field& field) {
     int count = 0;
     for (Index a = 0; a < g.number_of_nodes; ++a)
     {
@@ -522,14 +522,14 @@ BOOST_DATA_TEST_CASE(intrinsic_weights_leave_no_other_extrema, data::xrange(4), 
 BOOST_AUTO_TEST_CASE(a_field_on_a_delaunay_surface_is_the_same_in_both_graphs)
 {
   const auto s = sample::sphere(4);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const auto w = make_intrinsic_delaunay_graph(s);
   const auto a = solve_harmonic_field(s, g, edge_weights(s, Weights::COTANGENT), {{0, 0}, {1, 1}});
   const auto b = solve_harmonic_field(s, g, w.graph, w.weights, {{0, 0}, {1, 1}});
   for (Index v = 0; v < g.number_of_nodes; ++v) { BOOST_REQUIRE(std::abs(a(v) - b(v)) < 1e-4); }
   // Flat regions with a handle are solved again in any graph.
   const auto bell = sample::dumbbell(60);
-  const auto h = make_node_graph(bell);
+  const auto h = make_closed_model(bell);
   const auto x = make_intrinsic_delaunay_graph(bell);
   BOOST_TEST(solve_harmonic_field(bell, h, x.graph, x.weights, {{400, 0}, {500, 1}}).regions.size() > 1u);
 }

@@ -1,9 +1,9 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
-#include <meridian/internal/linking.h>
-#include <meridian/internal/verify_basis.h>
-#include <meridian/join_generators.h>
+#include <meridian/handles/internal/linking.h>
+#include <meridian/proof/internal/verify_basis.h>
+#include <meridian/cut/join_generators.h>
 
 #include <boost/test/data/test_case.hpp>
 

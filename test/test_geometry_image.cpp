@@ -2,9 +2,9 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
-#include <meridian/geometry_image.h>
-#include <meridian/measure_round_trip.h>
-#include <meridian/reduce_stretch.h>
+#include <meridian/unwrap/geometry_image.h>
+#include <meridian/unwrap/measure_round_trip.h>
+#include <meridian/map/map_with_low_stretch.h>
 
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>

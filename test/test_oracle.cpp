@@ -1,8 +1,8 @@
 // What CGAL's Surface_mesh_topology says of the generators: none is contractible, and the two of a pair are not freely homotopic.
 #include "support/sample_surfaces.h"
 
-#include <meridian/examine_surface.h>
-#include <meridian/find_generators.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/handles/find_generators.h>
 
 #include "files/read_mesh.h"
 #include "instances.h"

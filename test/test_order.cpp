@@ -15,7 +15,7 @@ std::vector<double> random_field(Index n, unsigned seed)
 }
 
 // Counts extrema by neighbours alone, without links.
-Critical_counts count_extrema(const Node_graph& g, const std::vector<Index>& rank)
+Critical_counts count_extrema(const Closed_model& g, const std::vector<Index>& rank)
 {
   Critical_counts c;
   for (Index a = 0; a < g.number_of_nodes; ++a)
@@ -101,7 +101,7 @@ BOOST_DATA_TEST_CASE(a_constant_field_is_ordered_and_simplified_too, data::xrang
 BOOST_DATA_TEST_CASE(an_st_numbering_has_only_the_allowed_extrema, data::xrange(4) * data::xrange(10), genus, seed)
 {
   const auto s = sample::renumbered(bordered(genus, seed), seed);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   std::mt19937 random(seed);
   std::vector<Index> low{static_cast<Index>(random() % g.number_of_nodes)}, high;
   do { high = {static_cast<Index>(random() % g.number_of_nodes)}; } while (high == low);
@@ -118,7 +118,7 @@ BOOST_DATA_TEST_CASE(an_st_numbering_has_only_the_allowed_extrema, data::xrange(
 BOOST_AUTO_TEST_CASE(several_extrema_may_be_kept)
 {
   const auto s = sample::torus(30, 12);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const auto field = pipeline::harmonic(s, g, {{0, 0}, {100, 0}, {200, 1}, {300, 1}});
   auto order = order_nodes(g, field);
   simplify_order(g, order, {0, 100}, {200, 300});
@@ -185,7 +185,7 @@ BOOST_DATA_TEST_CASE(positive_weights_have_no_other_extrema, data::make({false, 
 {
   const Weights weights = is_mean_value ? Weights::MEAN_VALUE : Weights::POSITIVE;
   const auto s = sample::noisy(sample::plate(3, 4), 0.1, 4);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const auto field = pipeline::harmonic(s, g, {{0, 0}, {200, 1}}, weights);
   const auto c = count_extrema(g, order_nodes(g, field).rank);
   BOOST_TEST(c.minima == 1);
@@ -198,7 +198,7 @@ BOOST_DATA_TEST_CASE(positive_weights_have_no_other_extrema, data::make({false, 
 BOOST_AUTO_TEST_CASE(cotangent_weights_reproduce_linear_functions)
 {
   const auto s = sample::noisy(sample::plate(0, 6), 0., 0); // a box; its top side is flat
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   std::vector<Dirichlet_value> prescribed;
   for (Index v = 0; v < s.number_of_vertices(); ++v)
   {
@@ -223,7 +223,7 @@ BOOST_AUTO_TEST_CASE(weights_are_finite_on_faces_without_area)
 BOOST_AUTO_TEST_CASE(digits_are_kept_where_the_field_is_flat)
 {
   const auto s = sample::dumbbell(60);
-  const auto g = make_node_graph(s);
+  const auto g = make_closed_model(s);
   const auto field = pipeline::harmonic(s, g, {{400, 0}, {500, 1}});
   BOOST_TEST(field.regions.size() > 1u);
   const auto order = order_nodes(g, field);

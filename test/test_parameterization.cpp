@@ -2,11 +2,11 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
-#include <meridian/convex_map.h>
-#include <meridian/internal/dirichlet_energy.h>
-#include <meridian/minimize_distortion.h>
-#include <meridian/pack_charts.h>
-#include <meridian/verify_unwrapping.h>
+#include <meridian/map/map_into_polygon.h>
+#include <meridian/map/internal/dirichlet_energy.h>
+#include <meridian/map/minimize_distortion.h>
+#include <meridian/map/pack_charts.h>
+#include <meridian/proof/verify_unwrapping.h>
 
 #include <CGAL/Gmpq.h>
 

@@ -1,5 +1,5 @@
 // Must not compile: the function does not read this parameter.
-#include <meridian/face_graph.h>
+#include <meridian/mesh/face_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -161,7 +161,7 @@ BOOST_AUTO_TEST_CASE(the_smallest_angle_is_the_smallest_of_all_corners)
 BOOST_AUTO_TEST_CASE(distant_nodes_lie_on_different_boundary_loops)
 {
   const auto tube = sample::punctured(sample::sphere(3), {4, 5});
-  const auto g = make_node_graph(tube);
+  const auto g = make_closed_model(tube);
   BOOST_TEST(g.number_of_nodes == g.first_loop_node + 2);
   const auto [a, b] = find_distant_nodes(tube, g);
   BOOST_TEST(a != b);

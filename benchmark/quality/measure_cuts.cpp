@@ -4,8 +4,8 @@
 #include "instances.h"
 #include "support/implicit_surfaces.h"
 
-#include <meridian/assemble_result.h>
-#include <meridian/cut_family.h>
+#include <meridian/result/assemble_result.h>
+#include <meridian/unwrap/cut_family.h>
 
 #include <chrono>
 #include <cstdio>

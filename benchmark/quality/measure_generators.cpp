@@ -4,7 +4,7 @@
 #include "instances.h"
 #include "support/implicit_surfaces.h"
 
-#include <meridian/assemble_result.h>
+#include <meridian/result/assemble_result.h>
 
 #include <cstdio>
 #include <cstring>
@@ -122,7 +122,7 @@ double loop_length(const Tree& tree, Index a, Index b, double edge)
 // edges that these do not cross shortest paths of vertices; each edge in neither gives two loops. The best of several roots.
 double tree_cotree_pairs(const Triangle_surface& s)
 {
-  const Node_graph g = make_node_graph(s);
+  const Closed_model g = make_closed_model(s);
   const auto centre = [&](Index f) { return (1. / 3) * (s.points[s.triangles[f][0]] + s.points[s.triangles[f][1]] + s.points[s.triangles[f][2]]); };
   const auto step = [&](Index h) {
     const Point middle = s.point_on(h, 0.5);

@@ -8,8 +8,8 @@
 
 #include "instances.h"
 
-#include <meridian/assemble_result.h>
-#include <meridian/verify_cut.h>
+#include <meridian/result/assemble_result.h>
+#include <meridian/proof/verify_cut.h>
 
 #include <benchmark/benchmark.h>
 
@@ -42,7 +42,7 @@ struct Stages
   Polygon_soup soup;
   Triangle_surface root;
   int genus;
-  Node_graph graph;
+  Closed_model graph;
   std::vector<double> weights;
   std::vector<Dirichlet_value> prescribed;
   Scalar_field field;
@@ -58,7 +58,7 @@ struct Stages
   {
     soup = sample::soup(root);
     genus = (2 - sample::euler_characteristic(root)) / 2;
-    graph = make_node_graph(root);
+    graph = make_closed_model(root);
     weights = edge_weights(root, Weights::POSITIVE);
     const auto [a, b] = find_distant_nodes(root, graph);
     prescribed = {{a, 0}, {b, 1}};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "chart_borders.h"
 
-#include <meridian/Triangle_surface.h>
+#include <meridian/surface/Triangle_surface.h>
 
 namespace meridian {
 namespace files {

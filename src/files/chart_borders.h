@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_FILES_CHART_BORDERS_H
 #define MERIDIAN_FILES_CHART_BORDERS_H
 
-#include <meridian/Result_mesh.h>
+#include <meridian/base/Result_mesh.h>
 
 #include <vector>
 

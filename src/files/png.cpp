@@ -3,7 +3,7 @@
 
 #include "read_mesh.h"
 
-#include <meridian/exceptions.h>
+#include <meridian/base/exceptions.h>
 
 #include <png.h>
 

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_FILES_READ_MESH_H
 #define MERIDIAN_FILES_READ_MESH_H
 
-#include <meridian/Polygon_soup.h>
+#include <meridian/base/Polygon_soup.h>
 
 #include <stdexcept>
 #include <string>

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_FILES_WRITE_MESH_H
 #define MERIDIAN_FILES_WRITE_MESH_H
 
-#include <meridian/Result_mesh.h>
+#include <meridian/base/Result_mesh.h>
 
 #include <string>
 #include <vector>

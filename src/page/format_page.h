@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_PAGE_FORMAT_PAGE_H
 #define MERIDIAN_PAGE_FORMAT_PAGE_H
 
-#include <meridian/assemble_result.h>
+#include <meridian/result/assemble_result.h>
 
 namespace meridian {
 namespace page {

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_PAGE_FORMAT_UNWRAP_PAGE_H
 #define MERIDIAN_PAGE_FORMAT_UNWRAP_PAGE_H
 
-#include <meridian/Result_mesh.h>
+#include <meridian/base/Result_mesh.h>
 
 #include <array>
 #include <string>

@@ -1,4 +1,4 @@
-#include <meridian/face_graph.h>
+#include <meridian/mesh/face_graph.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

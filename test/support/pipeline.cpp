@@ -2,13 +2,13 @@
 
 #include "instances.h"
 
-#include <meridian/classify_generators.h>
+#include <meridian/handles/classify_generators.h>
 
 namespace pipeline {
 
 Disc_cut cut(const Triangle_surface& s, const Cut_options& options) { return cut_to_disc(s, options); }
 
-Scalar_field harmonic(const Triangle_surface& s, const Node_graph& g, const std::vector<Dirichlet_value>& prescribed, Weights weights)
+Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed, Weights weights)
 {
   const auto w = edge_weights(s, weights);
   return weights == Weights::MEAN_VALUE ? solve_harmonic_field<General_solver_traits>(s, g, w, prescribed)
@@ -30,7 +30,7 @@ Ordered_surface order(const Triangle_surface& root, const std::vector<double>& f
 {
   Ordered_surface m;
   m.surface = divide_chords(root);
-  m.graph = make_node_graph(m.surface);
+  m.graph = make_closed_model(m.surface);
   m.field = Scalar_field(m.graph.number_of_nodes);
   for (Index a = 0; a < m.graph.number_of_nodes; ++a)
   {

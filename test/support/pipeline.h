@@ -2,16 +2,16 @@
 #ifndef MERIDIAN_TEST_PIPELINE_H
 #define MERIDIAN_TEST_PIPELINE_H
 
-#include <meridian/assemble_result.h>
-#include <meridian/unwrap_surface.h>
-#include <meridian/verify_cut.h>
+#include <meridian/result/assemble_result.h>
+#include <meridian/unwrap/unwrap_surface.h>
+#include <meridian/proof/verify_cut.h>
 
 namespace pipeline {
 
 using namespace meridian;
 
 Disc_cut cut(const Triangle_surface& s, const Cut_options& options = Cut_options());
-Scalar_field harmonic(const Triangle_surface& s, const Node_graph& g, const std::vector<Dirichlet_value>& prescribed,
+Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed,
                       Weights weights = Weights::POSITIVE);
 
 // A surface ordered by any field on its vertices (on a boundary loop, that of its first vertex), with one minimum and one

@@ -3,5 +3,5 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
-#include <meridian/cut_to_disc.h>
-#include <meridian/examine_surface.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/surface/examine_surface.h>

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_TEST_SAMPLE_SURFACES_H
 #define MERIDIAN_TEST_SAMPLE_SURFACES_H
 
-#include <meridian/Polygon_soup.h>
-#include <meridian/Triangle_surface.h>
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <algorithm>
 #include <functional>

@@ -6,7 +6,7 @@
 
 #include "files/Output_files.h"
 
-#include <meridian/Result_mesh.h>
+#include <meridian/base/Result_mesh.h>
 
 #include <cstdlib>
 #include <filesystem>

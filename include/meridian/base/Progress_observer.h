@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_BASE_PROGRESS_OBSERVER_H
+#define MERIDIAN_BASE_PROGRESS_OBSERVER_H
+
+#include <meridian/base/exceptions.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianProgress
+/// the stages of a cut, of a search for generators or of an unwrapping, in the order they run.
+enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, FLOW, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, SHORTEN, OPEN, PARAMETERIZE, VERIFY };
+
+/// \ingroup PkgMeridianProgress
+/// \returns the name of a stage as it stands in reports
+inline const char* name_of(Stage stage)
+{
+  switch (stage)
+  {
+  case Stage::EXTREMA: return "extrema";
+  case Stage::FIELD: return "field";
+  case Stage::ORDER: return "order";
+  case Stage::CONTOURS: return "contours";
+  case Stage::MERIDIANS: return "meridians";
+  case Stage::FLOW: return "flow";
+  case Stage::LONGITUDES: return "longitudes";
+  case Stage::TIGHTEN: return "tighten";
+  case Stage::INSERT: return "insert";
+  case Stage::CLASSIFY: return "classify";
+  case Stage::LINKS: return "links";
+  case Stage::SHORTEN: return "shorten";
+  case Stage::OPEN: return "open";
+  case Stage::PARAMETERIZE: return "parameterize";
+  case Stage::VERIFY: return "verify";
+  }
+  return "";
+}
+
+/// \ingroup PkgMeridianProgress
+/// base class of the objects that watch a run. Virtual, so that `override` rejects a misspelt hook.
+class Progress_observer
+{
+public:
+  virtual ~Progress_observer() = default;
+  virtual void stage_started(Stage) {}                     ///< called once before each stage
+  virtual void stage_progressed(Stage, double /*done*/) {} ///< `done` grows from 0 to 1; told by the links, the longest loop
+  virtual void stage_finished(Stage) {}                    ///< not called if the stage throws
+  /// asked between steps. \returns `false` to end the run with `Cancelled`
+  virtual bool go_further() { return true; }
+};
+
+/// \ingroup PkgMeridianProgress
+/// how long each stage took, in seconds.
+using Stage_times = std::vector<std::pair<Stage, double>>;
+
+namespace internal {
+
+// Reports one stage to an observer that may be absent.
+class Stage_scope
+{
+public:
+  Stage_scope(Progress_observer* observer, Stage stage) : m_observer(observer), m_stage(stage)
+  {
+    if (m_observer) { m_observer->stage_started(m_stage); }
+    if (m_observer && !m_observer->go_further())
+      throw Cancelled(std::string("cancelled during stage '") + name_of(m_stage) + "'");
+  }
+  void finish() const { if (m_observer) { m_observer->stage_finished(m_stage); } }
+
+private:
+  Progress_observer* m_observer;
+  Stage m_stage;
+};
+
+// Runs stages, with a clock.
+struct Stage_runner
+{
+  Progress_observer* observer;
+  Stage_times& seconds;
+
+  template <class Work> void operator()(Stage stage, const Work& work) const
+  {
+    const Stage_scope scope(observer, stage);
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    seconds.emplace_back(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    scope.finish();
+  }
+  // Tells how much of a stage is done, and ends the run if the observer wants that.
+  void progress(Stage stage, double done) const
+  {
+    if (!observer) { return; }
+    observer->stage_progressed(stage, done);
+    if (!observer->go_further()) { throw Cancelled(std::string("cancelled during stage '") + name_of(stage) + "'"); }
+  }
+};
+
+} // namespace internal
+} // namespace meridian
+
+#endif // MERIDIAN_BASE_PROGRESS_OBSERVER_H

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CUT_INTERNAL_STRAIGHTEN_PATHS_H
+#define MERIDIAN_CUT_INTERNAL_STRAIGHTEN_PATHS_H
+
+#include <meridian/surface/Triangle_surface.h>
+
+#include <functional>
+#include <limits>
+#include <queue>
+
+namespace meridian {
+namespace internal {
+
+// Makes the paths of a cut graph of edges shorter, one after the other.
+//
+// The nodes of a cut graph are its vertices of another degree than 2 and those on the boundary; its paths run between them. Without
+// one path the rest slits the surface to an annulus: a disc with two stretches of its rim glued, neither next to the other. So the
+// path runs from one boundary of the annulus to the other; and cutting an annulus along any simple path that does so, and else
+// touches neither, leaves a disc. One vertex may lie on the boundaries several times: each of its sectors between seams is a place
+// of its own, so both ends of a path are told by corners, not by vertices.
+class Path_straightener
+{
+public:
+  // `is_cut`: for each halfedge, equal on twins. `slide`: whether a path may end elsewhere on its boundary than at its node. `is_open(v)`
+  // tells whether a path may go through a vertex.
+  Path_straightener(const Triangle_surface& s, std::vector<char>& is_cut, bool slide, std::function<bool(Index)> is_open)
+    : m_surface(s), m_is_cut(is_cut), m_slide(slide), m_is_open(std::move(is_open)), m_degree(s.number_of_vertices(), 0),
+      m_mark(s.number_of_halfedges(), 0), m_reached(s.number_of_vertices(), 0), m_distance(s.number_of_vertices(), 0),
+      m_by(s.number_of_vertices(), -1)
+  { for (Index h = 0; h < s.number_of_halfedges(); ++h) { m_degree[s.source(h)] += is_cut[h]; } }
+
+  // Tries every path once. Returns whether one got shorter.
+  bool straighten_all()
+  {
+    std::vector<char> seen(m_surface.number_of_halfedges(), 0);
+    std::vector<Index> firsts;
+    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
+    {
+      if (!m_is_cut[h] || seen[h]) { continue; }
+      firsts.push_back(h);
+      for (Index g : path_through(h)) { seen[g] = seen[m_surface.opposite[g]] = 1; }
+    }
+    bool is_shorter = false;
+    for (Index h : firsts) { if (m_is_cut[h]) { is_shorter = straighten(path_through(h)) || is_shorter; } }
+    return is_shorter;
+  }
+
+private:
+  using Path = std::vector<Index>; // of halfedges
+
+  bool is_wall(Index h) const { return m_surface.opposite[h] < 0 || m_is_cut[h]; }
+  bool is_used(Index v) const { return m_degree[v] > 0 || m_surface.is_boundary_vertex(v); }
+  bool is_near(Index corner) const { return m_mark[corner] == m_near; }
+
+  // The next halfedge of a path, or -1 at a node.
+  Index continued(Index h) const
+  {
+    const Index v = m_surface.target(h);
+    if (m_degree[v] != 2 || m_surface.is_boundary_vertex(v)) { return -1; }
+    Index next = -1;
+    m_surface.for_each_outgoing(v, [&](Index g) { if (m_is_cut[g] && g != m_surface.opposite[h]) { next = g; } });
+    return next;
+  }
+
+  Path path_through(Index h) const
+  {
+    Index first = m_surface.opposite[h];
+    for (Index g = continued(first); g >= 0; g = continued(g))
+    {
+      first = g;
+      if (g == m_surface.opposite[h]) { throw Invalid_input_error("straighten_edge_cut: a closed loop of the cut has no node; the edges are no cut graph"); }
+    }
+    Path path;
+    for (Index g = m_surface.opposite[first]; g >= 0; g = continued(g)) { path.push_back(g); }
+    return path;
+  }
+
+  void set(const Path& path, bool is_cut)
+  {
+    for (Index h : path)
+    {
+      m_is_cut[h] = m_is_cut[m_surface.opposite[h]] = is_cut;
+      for (Index v : {m_surface.source(h), m_surface.target(h)}) { m_degree[v] += is_cut ? 1 : -1; }
+    }
+  }
+
+  // A walk round one boundary of the slit surface.
+  struct Walk
+  {
+    Index first, mark, at = -1;   // the halfedge that the walk began with, what its corners are marked with, the halfedge it is at
+    std::vector<Index> inwards{}; // halfedges from the boundary into the surface
+    bool is_closed() const { return at == first; }
+  };
+
+  // Begins at the corner that the source of `h` has beside `h`.
+  Walk begin_walk(Index h)
+  {
+    while (!is_wall(h)) { h = m_surface.turn_right(h); }
+    return {h, ++m_marks};
+  }
+
+  void step(Walk& walk)
+  {
+    Index h = walk.at < 0 ? walk.first : walk.at;
+    Index g = h;
+    do
+    {
+      m_mark[g] = walk.mark;
+      if (g != h) { walk.inwards.push_back(g); }
+      g = m_surface.turn_left(g);
+    } while (g >= 0 && !is_wall(g));
+    h = m_surface.next(h);
+    while (!is_wall(h)) { h = m_surface.next(m_surface.opposite[h]); }
+    walk.at = h;
+  }
+
+  // Marks the corners of the boundary at the source of `h`, or of that at the source of `g`, whichever is shorter. Returns the halfedges
+  // that leave it into the surface.
+  std::vector<Index> mark_boundary(Index h, Index g)
+  {
+    Walk a = begin_walk(h), b = begin_walk(g);
+    while (!a.is_closed() && !b.is_closed())
+    {
+      step(a);
+      step(b);
+      if (a.at == b.first || b.at == a.first || a.first == b.first)
+        throw Invalid_input_error("straighten_edge_cut: the edges are no cut graph; more than a disc is left");
+    }
+    Walk& shorter = a.is_closed() ? a : b;
+    m_near = shorter.mark;
+    return std::move(shorter.inwards);
+  }
+
+  // The shortest path that begins with one of some halfedges, goes through free vertices and ends with a halfedge into a used vertex
+  // that `is_end` accepts, if it is shorter than `limit`.
+  template <class Is_end> Path search(const std::vector<Index>& starts, double limit, const Is_end& is_end)
+  {
+    using Entry = std::pair<double, Index>; // of the halfedge that is taken last
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    ++m_search;
+    const auto take = [&](double d, Index h) {
+      const Index v = m_surface.target(h);
+      const double reached = d + m_surface.length(h);
+      if (!(reached < limit)) { return; }
+      if (is_used(v))
+      {
+        if (!is_end(h)) { return; }
+      }
+      else
+      {
+        if (m_reached[v] == m_search && !(reached < m_distance[v])) { return; }
+        m_reached[v] = m_search;
+        m_distance[v] = reached;
+        m_by[v] = h;
+      }
+      queue.emplace(reached, h);
+    };
+    for (Index h : starts) { take(0, h); }
+    while (!queue.empty())
+    {
+      const auto [d, h] = queue.top();
+      queue.pop();
+      const Index v = m_surface.target(h);
+      if (is_used(v))
+      {
+        Path path{h};
+        for (Index u = m_surface.source(h); !is_used(u); u = m_surface.source(m_by[u])) { path.push_back(m_by[u]); }
+        std::reverse(path.begin(), path.end());
+        return path;
+      }
+      if (m_by[v] != h || !m_is_open(v)) { continue; }
+      m_surface.for_each_outgoing(v, [&, at = d](Index g) { take(at, g); });
+    }
+    return {};
+  }
+
+  double length(const Path& path) const
+  {
+    double sum = 0;
+    for (Index h : path) { sum += m_surface.length(h); }
+    return sum;
+  }
+
+  bool straighten(const Path& path)
+  {
+    const Index from = m_surface.source(path.front()), to = m_surface.target(path.back());
+    set(path, false);
+    if (!is_used(from) || !is_used(to)) // the loose end of a path over a sphere
+    {
+      set(path, true);
+      return false;
+    }
+    const std::vector<Index> inwards = mark_boundary(path.front(), m_surface.opposite[path.back()]);
+
+    constexpr double less = 1 - 1e-12; // rounding must not keep the rounds going
+    Path best = path;
+    const auto improve = [&](const Path& other) { if (!other.empty()) { best = other; } };
+    if (m_slide) { improve(search(inwards, length(path) * less, [&](Index h) { return !is_near(m_surface.opposite[h]); })); }
+    else
+      for (bool near : {true, false}) // whether `from` is left on the boundary marked; its sectors may lie on both
+      {
+        std::vector<Index> starts;
+        m_surface.for_each_outgoing(from, [&](Index h) { if (!is_wall(h) && is_near(h) == near) { starts.push_back(h); } });
+        improve(search(starts, length(best) * less,
+                       [&](Index h) { return m_surface.target(h) == to && is_near(m_surface.opposite[h]) != near; }));
+      }
+    set(best, true);
+    return best != path;
+  }
+
+  const Triangle_surface& m_surface;
+  std::vector<char>& m_is_cut;
+  bool m_slide;
+  std::function<bool(Index)> m_is_open;
+  std::vector<Index> m_degree;     // of each vertex in the cut graph
+  std::vector<Index> m_mark;       // of each corner, the last walk that came by
+  Index m_marks = 0, m_near = 0;   // the number of walks, and the one round the boundary in question
+  Index m_search = 0;              // the number of searches
+  std::vector<Index> m_reached;    // of each vertex, the last search that came there,
+  std::vector<double> m_distance;  // its distance then,
+  std::vector<Index> m_by;         // and the halfedge by which it was reached
+};
+
+} // namespace internal
+} // namespace meridian
+
+#endif // MERIDIAN_CUT_INTERNAL_STRAIGHTEN_PATHS_H

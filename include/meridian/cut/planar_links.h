@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CUT_PLANAR_LINKS_H
+#define MERIDIAN_CUT_PLANAR_LINKS_H
+
+#include <meridian/map/embed_in_plane.h>
+#include <meridian/surface/insert_curves.h>
+#include <meridian/cut/internal/planar_segments.h>
+#include <meridian/surface/open_along.h>
+
+#include <string>
+
+namespace meridian {
+
+/*!
+ * \ingroup PkgMeridianLinks
+ *
+ * joins all boundaries of a slit genus-0 surface by counterimages of segments in a planar embedding (Patane, Spagnuolo,
+ * Falcidieno 2007).
+ *
+ * The boundaries' images are the constraints of a constrained Delaunay triangulation (CGAL). Its edges between different
+ * boundaries neither cross a boundary nor each other; the links are the minimum spanning tree of these. Each segment is
+ * followed through the faces with exact orientation predicates, and where several cross one edge their order on it is
+ * found in rational numbers.
+ *
+ * \param root the surface that `s` refines
+ * \param s the surface, whose seams are disjoint closed curves. The links are inserted and flagged.
+ * \param source a root vertex that the links shall pass through, or -1
+ * \param links receives the links as vertices of `s`
+ *
+ * \returns an empty text, or why the plane cannot be used; `s` is then unchanged
+ * \pre cutting `s` along its seams leaves a connected surface of genus 0
+ * \throws Solver_error if the system cannot be factorized
+ * \par Complexity
+ * One factorization, and \f$ O(k \log k) \f$ for `k` boundary vertices and crossings.
+ */
+template <class SymmetricTraits = Symmetric_solver_traits>
+std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surface& s, Index source, std::vector<std::vector<Index>>& links)
+{
+  const Opened_surface opened = open_along(s);
+  const Triangle_surface o = surface_of(s, opened);
+  const auto loops = boundary_loops(o);
+  if (loops.empty()) { return "a closed surface has no planar domain"; }
+
+  std::vector<Index> loop_of(o.number_of_vertices(), -1);
+  Index number_of_loops = 0;
+  for (const auto& loop : loops)
+  {
+    for (Index h : loop) { loop_of[o.source(h)] = number_of_loops; }
+    ++number_of_loops;
+  }
+  if (source >= 0 && loop_of[source] < 0) { loop_of[source] = number_of_loops++; }
+  if (number_of_loops < 2) { return ""; }
+  const Planar_embedding plane = embed_in_plane<SymmetricTraits>(o);
+  if (!plane.is_valid) { return "the planar embedding has faces turned over or without area in double precision"; }
+
+  const auto segments = internal::spanning_segments(o, plane, loops, loop_of, number_of_loops);
+  if (static_cast<Index>(segments.size()) + 1 != number_of_loops) { return "boundary vertices coincide in the plane"; }
+  std::vector<internal::Planar_walk> walks;
+  for (const auto& segment : segments)
+  {
+    walks.push_back(internal::walk(o, plane, segment));
+    if (walks.back().points.empty()) { return "a segment leaves the planar domain"; }
+  }
+  const std::vector<Surface_curve> curves = internal::place_walks(s, o, plane, segments, walks, opened.copy_of, loop_of);
+  links = insert_curves(root, s, curves).vertices;
+  return "";
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_CUT_PLANAR_LINKS_H

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FIELD_EIGENFUNCTIONS_H
+#define MERIDIAN_FIELD_EIGENFUNCTIONS_H
+
+#include <meridian/field/internal/shifted_laplacian.h>
+#include <meridian/field/solver_traits.h>
+#include <meridian/surface/measures.h>
+
+#include <Spectra/SymEigsShiftSolver.h>
+
+#include <numeric>
+#include <string>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianOrder
+/// \returns the area of each node of a closed model: a third of the faces at its vertices (the lumped mass matrix). None
+///          is less than a hundred-millionth of the mean, so that the areas can be divided by; all are 1 if no face has any.
+/// \par Complexity
+/// Linear.
+inline std::vector<double> node_areas(const Triangle_surface& s, const Closed_model& g)
+{
+  std::vector<double> areas(g.number_of_nodes, 0);
+  double sum = 0;
+  for (const auto& t : s.triangles)
+  {
+    const double area = norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2;
+    for (Index v : t) { areas[g.node[v]] += area / 3; }
+    sum += area;
+  }
+  internal::bound_areas(areas, sum);
+  return areas;
+}
+
+/// \ingroup PkgMeridianOrder
+/// the smoothest functions on a closed model.
+struct Eigenfunctions
+{
+  std::vector<double> values;                 ///< ascending; the first is 0
+  std::vector<std::vector<double>> functions; ///< one value a node; the first is constant
+};
+
+/*!
+ * \ingroup PkgMeridianOrder
+ *
+ * finds the lowest eigenfunctions of the Laplacian, \f$ L x = \lambda M x \f$ (Vallet, Levy 2008).
+ *
+ * One factorization of \f$ L + \sigma M \f$ serves all: the implicitly restarted Lanczos method (Lehoucq, Sorensen 1996) as
+ * in Spectra finds the highest eigenvalues of its inverse, on the complement of the constant function, which is known.
+ * It starts from one vector and might miss a function where eigenvalues coincide, as those of symmetric surfaces do; so it
+ * starts again on the complement of what was found until nothing lower is left. Masses and weights are brought to unit
+ * size before, so that units do not matter.
+ *
+ * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough
+ * \param g the closed model, or another graph with weights on its edges
+ * \param weights the weights `g.halfedge` refers to
+ * \param mass one a node, as made by `node_areas()`
+ * \param k how many functions to find beside the constant one
+ *
+ * \returns `k + 1` eigenvalues and functions: \f$ \sum_i m_i x_i y_i \f$ is 1 for a function with itself and 0 for two
+ *          different ones. Of each function the entry of largest magnitude (of all that come within a millionth of it, the
+ *          first) is positive. Where eigenvalues coincide, the functions are some basis of their space.
+ * \pre the weights are symmetric and their matrix is semidefinite, as of cotangent and positive ones (not every solver finds
+ *      out); the masses are positive; the graph is connected
+ * \throws Invalid_input_error if `k` is not between 1 and the number of nodes less one
+ * \throws Solver_error if the matrix cannot be factorized or the iteration does not converge
+ *
+ * \par Complexity
+ * One factorization, \f$ O(n^{1.5}) \f$ for a surface mesh, and some 5 `k` to 10 `k` back-substitutions, \f$ O(n \log n) \f$ each.
+ */
+template <class SolverTraits = Symmetric_solver_traits>
+Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& mass, int k)
+{
+  using Operator = internal::Shifted_laplacian<SolverTraits>;
+  const Index n = g.number_of_nodes;
+  if (k < 1 || k >= n)
+    throw Invalid_input_error("a closed model of " + std::to_string(n) + " nodes has no " + std::to_string(k)
+                              + " eigenfunctions beside the constant one; ask for 1 to " + std::to_string(n - 1));
+  Operator laplacian(g, weights, mass);
+
+  std::vector<std::pair<double, Eigen::VectorXd>> found; // by descending eigenvalues of the inverse
+  const auto search = [&](Index count) { // appends the `count` highest eigenpairs on the complement of what was found
+    Index subspace = std::min(n, std::max<Index>(2 * count + 10, 24));
+    for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace))
+      try
+      {
+        Spectra::SymEigsShiftSolver<Operator> solver(laplacian, count, subspace, -Operator::shift);
+        solver.init(); // from a fixed seed
+        solver.compute(Spectra::SortRule::LargestMagn, 200, 1e-10, Spectra::SortRule::SmallestAlge);
+        if (solver.info() != Spectra::CompInfo::Successful) { continue; }
+        const Eigen::VectorXd values = solver.eigenvalues();
+        const Eigen::MatrixXd vectors = solver.eigenvectors();
+        for (Index i = 0; i < count; ++i)
+        {
+          found.emplace_back(values[i], vectors.col(i));
+          laplacian.exclude(vectors.col(i));
+        }
+        return;
+      }
+      catch (const Solver_error&) { throw; }
+      catch (const std::exception&) {} // Spectra's own: the small matrix of a subspace had no eigenvalues
+    throw Solver_error("the iteration for " + std::to_string(k) + " eigenfunctions did not converge; fewer functions or positive weights would help");
+  };
+  const auto by_value = [](const auto& a, const auto& b) { return a.first < b.first; };
+  search(k);
+  while (static_cast<Index>(found.size()) + 1 < n)
+  {
+    const double highest = std::max_element(found.begin(), found.end(), by_value)->first;
+    search(1);
+    if (!(found.back().first < highest - 1e-7 * (highest + Operator::shift))) { break; } // nothing was missed
+    std::stable_sort(found.begin(), found.end(), by_value);
+    found.pop_back();
+  }
+  std::stable_sort(found.begin(), found.end(), by_value);
+  found.resize(k);
+
+  Eigenfunctions e;
+  e.values.push_back(0);
+  e.functions.emplace_back(n, 1 / std::sqrt(laplacian.total_mass()));
+  std::vector<std::pair<double, std::vector<double>>> pairs;
+  for (const auto& [value, vector] : found)
+  {
+    std::vector<double> x = laplacian.function_of(vector);
+    for (int pass = 0; pass < 2; ++pass) // once more against rounding
+    {
+      const auto remove = [&](const std::vector<double>& y) {
+        double along = 0;
+        for (Index i = 0; i < n; ++i) { along += mass[i] * x[i] * y[i]; }
+        for (Index i = 0; i < n; ++i) { x[i] -= along * y[i]; }
+      };
+      remove(e.functions.front());
+      for (const auto& p : pairs) { remove(p.second); }
+      double square = 0, largest = 0;
+      for (Index i = 0; i < n; ++i) { square += mass[i] * x[i] * x[i]; }
+      for (double& y : x) { y /= std::sqrt(square); }
+      for (double y : x) { largest = std::max(largest, std::abs(y)); }
+      const auto first = std::find_if(x.begin(), x.end(), [&](double y) { return std::abs(y) >= (1 - 1e-6) * largest; });
+      if (first == x.end()) { throw Solver_error("an eigenfunction is not finite; positive weights are the safest"); }
+      if (*first < 0) { for (double& y : x) { y = -y; } }
+    }
+    double energy = 0; // Rayleigh's quotient keeps the digits of small eigenvalues
+    for (Index a = 0; a < n; ++a)
+      for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
+      {
+        const double step = x[a] - x[g.neighbor[i]];
+        energy += weights[g.halfedge[i]] * step * step / 2;
+      }
+    pairs.emplace_back(std::max(energy, 0.), std::move(x));
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), by_value);
+  for (auto& [value, x] : pairs)
+  {
+    e.values.push_back(value);
+    e.functions.push_back(std::move(x));
+  }
+  return e;
+}
+
+/// \ingroup PkgMeridianOrder
+/// \returns \f$ \sqrt{\lambda_i} x_i \f$ on the nodes: functions of a high frequency count for more
+inline std::vector<double> scaled_eigenfunction(const Eigenfunctions& e, int i)
+{
+  std::vector<double> f = e.functions[i];
+  for (double& x : f) { x *= std::sqrt(e.values[i]); }
+  return f;
+}
+
+/*!
+ * \ingroup PkgMeridianOrder
+ *
+ * \returns two different nodes where the surface is strongly curved: of all local minima of the eigenfunctions but the
+ *          constant one, and then of all local maxima but the first node, the one with the highest absolute Gaussian
+ *          curvature at its vertex. Loops have curvature 0. The lower node wins a tie.
+ *
+ * \param s the surface
+ * \param g its closed model, or another graph on the same nodes
+ * \param e eigenfunctions on the nodes, at least two
+ * \pre the graph is connected and has at least two nodes
+ * \par Complexity
+ * Linear in edges times functions.
+ */
+inline std::pair<Index, Index> find_curved_extrema(const Triangle_surface& s, const Closed_model& g, const Eigenfunctions& e)
+{
+  std::vector<char> is_minimum(g.number_of_nodes, 0), is_maximum(g.number_of_nodes, 0);
+  for (std::size_t k = 1; k < e.functions.size(); ++k)
+  {
+    const auto& x = e.functions[k];
+    for (Index a = 0; a < g.number_of_nodes; ++a)
+    {
+      bool low = true, high = true;
+      for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
+      {
+        const Index b = g.neighbor[i];
+        if (b != a) { (std::make_pair(x[b], b) < std::make_pair(x[a], a) ? low : high) = false; }
+      }
+      if (low) { is_minimum[a] = 1; }
+      if (high) { is_maximum[a] = 1; }
+    }
+  }
+  const auto most_curved = [&](const std::vector<char>& is_candidate, Index other) {
+    Index best = -1;
+    double highest = -1;
+    for (Index a = 0; a < g.number_of_nodes; ++a)
+    {
+      if (!is_candidate[a] || a == other) { continue; }
+      const double bend = g.is_loop(a) ? 0 : std::abs(curvature(s, g.representative[a]).gaussian);
+      if (!(bend > highest)) { continue; }
+      highest = bend;
+      best = a;
+    }
+    return best;
+  };
+  const Index low = most_curved(is_minimum, -1), high = most_curved(is_maximum, low);
+  if (low < 0 || high < 0) { throw Internal_error("find_curved_extrema: the functions have no two extrema"); }
+  return {low, high};
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_FIELD_EIGENFUNCTIONS_H

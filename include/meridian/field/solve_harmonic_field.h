@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FIELD_SOLVE_HARMONIC_FIELD_H
+#define MERIDIAN_FIELD_SOLVE_HARMONIC_FIELD_H
+
+#include <meridian/field/Scalar_field.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/field/internal/flat_regions.h>
+#include <meridian/field/Laplace_system.h>
+#include <meridian/field/solver_traits.h>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianOrder
+/// a value prescribed at a node of the closed model.
+struct Dirichlet_value { Index node; double value; };
+
+/*!
+ * \ingroup PkgMeridianOrder
+ *
+ * solves \f$ \Delta f = 0 \f$ with prescribed values (Ni, Garland, Hart 2004).
+ *
+ * A boundary loop takes one value, without flux. Where the solution is flat to rounding and the flat region holds a
+ * handle, the field is solved again inside the region, from the values around it brought to scale, and so on inward:
+ * a handle at the end of a long tube sees a field as smooth as any other.
+ *
+ * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough unless the
+ *         weights are mean-value
+ * \param s the surface
+ * \param g its closed model
+ * \param joined the same nodes with the edges of the system: `g`, or an intrinsic triangulation
+ * \param weights those `joined.halfedge` refers to
+ * \param prescribed the values; each node at most once
+ *
+ * \returns the field
+ * \pre `prescribed` is not empty, the surface is connected, no edge joins a boundary loop to itself
+ * \throws Solver_error if the system cannot be factorized or its solution is not finite
+ *
+ * \par Complexity
+ * One assembly and one factorization, \f$ O(n^{1.5}) \f$ for a surface mesh; flat regions add one of their own size each.
+ */
+template <class SolverTraits = Symmetric_solver_traits>
+Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
+                                  const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed)
+{
+  Scalar_field field(g.number_of_nodes);
+  std::vector<char> is_prescribed(g.number_of_nodes, 0);
+  double lowest = prescribed.front().value, highest = lowest;
+  for (const auto& p : prescribed)
+  {
+    is_prescribed[p.node] = 1;
+    lowest = std::min(lowest, p.value);
+    highest = std::max(highest, p.value);
+  }
+  // The whole is solved between 0 and 1, like every flat region after it.
+  Scalar_field::Region& whole = field.regions.front();
+  whole.scale = highest > lowest ? highest - lowest : 1;
+  whole.offset = lowest;
+  for (const auto& p : prescribed) { field.value[p.node] = (p.value - whole.offset) / whole.scale; }
+
+  std::vector<Index> unknown;
+  for (Index a = 0; a < g.number_of_nodes; ++a) { if (!is_prescribed[a]) { unknown.push_back(a); } }
+  internal::Laplace_system<SolverTraits> system(joined, weights);
+  system.solve(unknown, [&](Index a) { return field.value[a]; }, field.value);
+  if (highest > lowest) { internal::solve_flat_regions(s, g, system, unknown, field); }
+  return field;
+}
+
+/// \ingroup PkgMeridianOrder
+/// the same with the edges of the surface and weights as made by `edge_weights()`, one a halfedge
+template <class SolverTraits = Symmetric_solver_traits>
+Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const std::vector<double>& weights,
+                                  const std::vector<Dirichlet_value>& prescribed)
+{ return solve_harmonic_field<SolverTraits>(s, g, g, weights, prescribed); }
+
+} // namespace meridian
+
+#endif // MERIDIAN_FIELD_SOLVE_HARMONIC_FIELD_H

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_HANDLES_GENERATORS_H
+#define MERIDIAN_HANDLES_GENERATORS_H
+
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/field/order_surface.h>
+#include <meridian/handles/select_meridians.h>
+#include <meridian/curves/tighten_curves.h>
+
+#include <map>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianGenerators
+/// what one may choose about generators. Vertices are those of the surface.
+struct Generator_options : Field_options
+{
+  Preference preference = preference::gaussian_curvature;
+  Levels levels = Levels::SADDLE;
+  bool is_open = false; ///< whether the field's boundary is free, so that level lines may end there
+  bool keep_complex = false; ///< whether the quasi Morse-Smale complex of the field is kept
+  bool flow = true;    ///< whether longitudes are sought among flow lines first
+  bool tighten = true; ///< whether the curves are shortened within their classes
+  Tighten_options tightening;
+  Progress_observer* observer = nullptr;
+};
+
+/// \ingroup PkgMeridianGenerators
+/// how a curve was made.
+enum class Curve_method
+{
+  CONTOUR, ///< a contour of the field
+  FLOW,    ///< flow lines: every segment is monotone in a field
+  ARC      ///< a shortest path between the two sides of the meridian
+};
+
+/// \ingroup PkgMeridianGenerators
+/// \returns the name of a method as it stands in reports
+inline const char* name_of(Curve_method method)
+{
+  switch (method)
+  {
+  case Curve_method::CONTOUR: return "contour";
+  case Curve_method::FLOW: return "flow";
+  case Curve_method::ARC: return "arc";
+  }
+  return "";
+}
+
+/// \ingroup PkgMeridianGenerators
+/// on which side of its surface a curve bounds, up to homology (Dey, Li, Sun 2007).
+enum class Loop_class
+{
+  HANDLE,  ///< on the bounded side, like the meridian of a torus
+  TUNNEL,  ///< on the other side, like its longitude
+  NEITHER,
+  UNKNOWN  ///< the surface has a boundary, meets itself or has faces without area
+};
+
+/// \ingroup PkgMeridianGenerators
+/// \returns the name of a class as it stands in reports
+inline const char* name_of(Loop_class c)
+{
+  switch (c)
+  {
+  case Loop_class::HANDLE: return "handle";
+  case Loop_class::TUNNEL: return "tunnel";
+  case Loop_class::NEITHER: return "neither";
+  case Loop_class::UNKNOWN: return "unknown";
+  }
+  return "";
+}
+
+/// \ingroup PkgMeridianGenerators
+/// a closed curve of a pair.
+struct Generator_curve
+{
+  std::vector<Index> vertices; ///< of the refined surface, the one shared by the pair first
+  double length = 0;
+  double length_found = 0;     ///< before tightening
+  Index saddle = -1;           ///< the root vertex of the saddle it belongs to, or nearest to it; -1 if there is none
+  Curve_method method = Curve_method::ARC;
+  bool was_flow = false;                       ///< whether it was made of flow lines before it was tightened
+  std::map<Index, double> field;               ///< of flow lines: the field at root vertices around, linear along edges
+  Loop_class loop_class = Loop_class::UNKNOWN; ///< written by `classify_generators()`
+};
+
+/// \ingroup PkgMeridianGenerators
+/// a meridian and a longitude of one handle.
+struct Generator_pair { Generator_curve meridian, longitude; };
+
+/// \ingroup PkgMeridianGenerators
+/// generators of one connected surface, and what was counted on the way.
+struct Generators : Field_summary
+{
+  Refined_surface surface;           ///< the input, refined; the curves are its seams
+  std::vector<Generator_pair> pairs; ///< as many as the genus
+  bool is_morse_smale = true;        ///< whether no flow line of the field joins two saddles
+  int saddle_connections = 0;        ///< how many do
+  std::vector<std::vector<Point>> complex_lines; ///< the flow lines of the field, from saddle to critical point, if asked for
+  int genus = 0, boundary_loops = 0;
+  int arcs = 0, loops = 0;           ///< with a free boundary: the meridians' level lines that end on it, and those that do not
+  double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
+  Stage_times seconds;
+};
+
+} // namespace meridian
+
+#endif // MERIDIAN_HANDLES_GENERATORS_H

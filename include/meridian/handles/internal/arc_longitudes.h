@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_HANDLES_INTERNAL_ARC_LONGITUDES_H
+#define MERIDIAN_HANDLES_INTERNAL_ARC_LONGITUDES_H
+
+#include <meridian/base/Progress_observer.h>
+#include <meridian/curves/find_crossing_loop.h>
+#include <meridian/curves/place_crossings.h>
+
+namespace meridian {
+namespace internal {
+
+// Contours as every second curve of a system (or every `stride`-th), in the order that the levels give them.
+inline void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& curves, std::size_t stride = 2)
+{
+  struct Place { std::size_t curve, position; };
+  std::vector<Place> places;
+  for (std::size_t c = 0; c < all.size(); ++c)
+    for (std::size_t i = 0; i < all[c].size(); ++i) { places.push_back({c, i}); }
+  const auto at = [&](const Place& p) -> const Crossing& { return all[p.curve][p.position]; };
+  std::sort(places.begin(), places.end(), [&](const Place& p, const Place& q) { return is_before(at(p), at(q)); });
+  std::vector<std::vector<double>> rank(all.size());
+  for (std::size_t c = 0; c < all.size(); ++c) { rank[c].resize(all[c].size()); }
+  for (std::size_t i = 0; i < places.size(); ++i) { rank[places[i].curve][places[i].position] = static_cast<double>(i); }
+  for (std::size_t c = 0; c < all.size(); ++c)
+  {
+    std::vector<Normal_curves::Step> steps;
+    for (std::size_t i = 0; i < all[c].size(); ++i)
+    {
+      Index place = 0;
+      for (Index x : curves.on(all[c][i].edge)) { place += curves[x].t < rank[c][i]; }
+      steps.push_back({all[c][i].halfedge, place, rank[c][i]});
+    }
+    curves.add(static_cast<Index>(stride * c), steps);
+  }
+  for (std::size_t c = 0; c < all.size(); ++c)
+  {
+    const auto crossings = curves.crossings(static_cast<Index>(stride * c));
+    for (std::size_t i = 0; i < crossings.size(); ++i) { curves.move(crossings[i], all[c][i].t); }
+  }
+}
+
+inline double length(const Normal_curves& curves, Index c)
+{
+  const Triangle_surface& s = curves.surface();
+  double sum = 0;
+  for (Index x : curves.crossings(c))
+  {
+    const Index y = curves[x].next;
+    sum += distance(s.point_on(curves.edge(x), curves[x].t), s.point_on(curves.edge(y), curves[y].t));
+  }
+  return sum;
+}
+
+inline double length(const Triangle_surface& s, const std::vector<Index>& loop)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) { sum += distance(s.points[loop[i]], s.points[loop[(i + 1) % loop.size()]]); }
+  return sum;
+}
+
+// The contract, on normal curves.
+inline void check_contract(const Normal_curves& curves)
+{
+  for (Index n : curves.count_crossings())
+    if (n != 1) { throw Internal_error("find_generators: a meridian and its longitude cross " + std::to_string(n) + " times"); }
+}
+
+// Finds longitudes, the shortest first: one is taken when no other could be shorter. Curves that are there only lengthen
+// the way of the others, so a way is the shortest still if nothing has come to its edges since it was found.
+//
+// `take_flow(i, loop)` may add another curve in place of `loop`, and says whether it did.
+template <class Take_flow>
+void add_shortest_longitudes(Normal_curves& curves, Index pairs, const Stage_runner& run, const Take_flow& take_flow)
+{
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  constexpr double enough = 1.1; // a loop need not be searched for again that is at most so much longer than the next
+  Crossing_loop_search searcher(curves);
+  std::vector<Crossing_loop> loops(pairs);
+  std::vector<std::vector<std::size_t>> crowd(pairs); // how many crossings the edges of a loop had
+  const auto count = [&](Index i) {
+    std::vector<std::size_t> sizes;
+    for (const auto& step : loops[i].steps) { sizes.push_back(curves.on(curves.surface().edge(step.halfedge)).size()); }
+    return sizes;
+  };
+  const auto search = [&](Index i) {
+    loops[i] = searcher.find(2 * i);
+    crowd[i] = count(i);
+  };
+  for (Index i = 0; i < pairs; ++i)
+  {
+    search(i);
+    queue.emplace(loops[i].length, i);
+    run.progress(Stage::LONGITUDES, (i + 1.) / (2 * pairs));
+  }
+  for (Index done = 0; !queue.empty();)
+  {
+    const Index i = queue.top().second;
+    queue.pop();
+    if (count(i) != crowd[i])
+    {
+      search(i);
+      if (!queue.empty() && loops[i].length > enough * queue.top().first)
+      {
+        queue.emplace(loops[i].length, i);
+        continue;
+      }
+    }
+    if (!take_flow(i, loops[i])) { curves.add(2 * i + 1, loops[i].steps); }
+    loops[i].steps.clear();
+    run.progress(Stage::LONGITUDES, (pairs + ++done) / (2. * pairs));
+  }
+}
+
+} // namespace internal
+} // namespace meridian
+
+#endif // MERIDIAN_HANDLES_INTERNAL_ARC_LONGITUDES_H

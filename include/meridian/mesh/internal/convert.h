@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_MESH_INTERNAL_CONVERT_H
+#define MERIDIAN_MESH_INTERNAL_CONVERT_H
+
+#include <meridian/surface/Triangle_surface.h>
+
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_utils.h>
+
+#include <map>
+
+namespace meridian {
+namespace internal {
+
+// Numbers the vertices of a mesh in the order of `vertices(tm)`, whatever their descriptors are.
+template <class TriangleMesh>
+class Vertex_numbers
+{
+public:
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  explicit Vertex_numbers(const TriangleMesh& tm)
+  {
+    Index i = 0;
+    for (Vertex v : vertices(tm)) { m_number[v] = i++; }
+  }
+  Index operator[](Vertex v) const { return m_number.at(v); }
+
+private:
+  std::map<Vertex, Index> m_number;
+};
+
+template <class TriangleMesh, class VertexPointMap>
+Triangle_surface convert(const TriangleMesh& tm, VertexPointMap vpm)
+{
+  const Vertex_numbers<TriangleMesh> number(tm);
+  Triangle_surface s;
+  for (auto v : vertices(tm))
+  {
+    const auto& p = get(vpm, v);
+    const Point q{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
+    if (!std::isfinite(q[0]) || !std::isfinite(q[1]) || !std::isfinite(q[2]))
+      throw Invalid_input_error("vertex " + std::to_string(number[v]) + " has a coordinate that is not a finite number");
+    s.points.push_back(q);
+  }
+  for (auto f : faces(tm))
+  {
+    std::vector<Index> corners;
+    for (auto v : CGAL::vertices_around_face(halfedge(f, tm), tm)) { corners.push_back(number[v]); }
+    if (corners.size() != 3)
+      throw Invalid_input_error("face " + std::to_string(s.triangles.size()) + " has " + std::to_string(corners.size())
+                                + " corners; divide it into triangles first");
+    s.triangles.push_back({corners[0], corners[1], corners[2]});
+  }
+  connect(s);
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+    if (s.outgoing[v] < 0) { throw Invalid_input_error("vertex " + std::to_string(v) + " belongs to no face; remove it"); }
+  std::vector<Index> corners(s.number_of_vertices(), 0);
+  for (const auto& t : s.triangles) { for (Index v : t) { ++corners[v]; } }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    s.for_each_outgoing(v, [&](Index) { --corners[v]; });
+    if (corners[v] != 0) { throw Invalid_input_error("vertex " + std::to_string(v) + " is pinched: its faces form several fans; divide it first"); }
+  }
+  return s;
+}
+
+// Adds vertices and faces to an empty mesh; returns the vertices.
+template <class Mesh>
+std::vector<typename boost::graph_traits<Mesh>::vertex_descriptor>
+build(const std::vector<Point>& points, const std::vector<std::array<Index, 3>>& triangles, Mesh& mesh)
+{
+  using Vertex = typename boost::graph_traits<Mesh>::vertex_descriptor;
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  using Mesh_point = typename boost::property_traits<decltype(vpm)>::value_type;
+  std::vector<Vertex> vertex;
+  for (const Point& p : points)
+  {
+    vertex.push_back(add_vertex(mesh));
+    put(vpm, vertex.back(), Mesh_point(p[0], p[1], p[2]));
+  }
+  for (const auto& t : triangles)
+  {
+    const std::array<Vertex, 3> corners{vertex[t[0]], vertex[t[1]], vertex[t[2]]};
+    if (CGAL::Euler::add_face(corners, mesh) == boost::graph_traits<Mesh>::null_face())
+      throw Internal_error("a face cannot be added to the mesh");
+  }
+  return vertex;
+}
+
+} // namespace internal
+} // namespace meridian
+
+#endif // MERIDIAN_MESH_INTERNAL_CONVERT_H

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_SURFACE_CLOSED_MODEL_H
+#define MERIDIAN_SURFACE_CLOSED_MODEL_H
+
+#include <meridian/surface/Triangle_surface.h>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianOrder
+/// the closed model of a surface: each interior vertex is a node, and each boundary loop is one node.
+///
+/// Shrinking a loop to a point is glueing a disc to it, so the theory of closed surfaces holds for the nodes
+/// word for word. Interior vertices keep their order; the loops come last.
+struct Closed_model
+{
+  Index number_of_nodes = 0;
+  Index first_loop_node = 0;
+  std::vector<Index> node;                ///< of each vertex
+  std::vector<Index> representative;      ///< a vertex of each node
+  std::vector<Index> begin;               ///< node `a` has the edges `begin[a]` to `begin[a+1]-1`
+  std::vector<Index> halfedge;            ///< each edge as a halfedge that leaves the node
+  std::vector<Index> neighbor;            ///< the node at its other end
+
+  bool is_loop(Index a) const { return a >= first_loop_node; }
+};
+
+/// \ingroup PkgMeridianOrder
+/// \returns the closed model of `s`
+/// \par Complexity
+/// Linear.
+inline Closed_model make_closed_model(const Triangle_surface& s)
+{
+  Closed_model g;
+  const Index n = s.number_of_vertices();
+  g.node.assign(n, -1);
+  for (Index v = 0; v < n; ++v)
+    if (!s.is_boundary_vertex(v))
+    {
+      g.node[v] = g.number_of_nodes++;
+      g.representative.push_back(v);
+    }
+  g.first_loop_node = g.number_of_nodes;
+  for (const auto& loop : boundary_loops(s))
+  {
+    for (Index h : loop) { g.node[s.source(h)] = g.number_of_nodes; }
+    ++g.number_of_nodes;
+    g.representative.push_back(s.source(loop.front()));
+  }
+  g.begin.assign(g.number_of_nodes + 1, 0);
+  const Index halfedges = s.number_of_halfedges();
+  for (Index h = 0; h < halfedges; ++h)
+    if (s.opposite[h] >= 0) { ++g.begin[g.node[s.source(h)] + 1]; }
+  for (Index a = 0; a < g.number_of_nodes; ++a) { g.begin[a + 1] += g.begin[a]; }
+  g.halfedge.resize(g.begin.back());
+  g.neighbor.resize(g.begin.back());
+  std::vector<Index> fill(g.begin.begin(), g.begin.end() - 1);
+  for (Index h = 0; h < halfedges; ++h)
+    if (s.opposite[h] >= 0)
+    {
+      const Index i = fill[g.node[s.source(h)]]++;
+      g.halfedge[i] = h;
+      g.neighbor[i] = g.node[s.target(h)];
+    }
+  return g;
+}
+
+/// \ingroup PkgMeridianOrder
+/// \returns the interior edges that join a boundary loop to itself. Dividing them makes the closed model a
+///          triangulated surface, in which every node has a circle for a link.
+inline std::vector<Index> chords_of_loops(const Triangle_surface& s, const Closed_model& g)
+{
+  std::vector<Index> chords;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+    if (s.opposite[h] > h && g.node[s.source(h)] == g.node[s.target(h)]) { chords.push_back(h); }
+  return chords;
+}
+
+/// \ingroup PkgMeridianOrder
+/// calls `f(h)` for the halfedges that leave the node of vertex `v` inside the surface, in their circular order
+template <class Function> void for_each_around_node(const Triangle_surface& s, Index v, Function f)
+{
+  if (!s.is_boundary_vertex(v)) { s.for_each_outgoing(v, f); return; }
+  std::vector<Index> loop;
+  Index u = v;
+  do { loop.push_back(u); u = s.target(s.outgoing[u]); } while (u != v);
+  for (std::size_t i = loop.size(); i-- > 0;) // counterclockwise around the disc that closes the loop
+    s.for_each_outgoing(loop[i], [&](Index h) { if (s.opposite[h] >= 0) { f(h); } });
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_SURFACE_CLOSED_MODEL_H

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_SURFACE_SURFACE_CURVE_H
+#define MERIDIAN_SURFACE_SURFACE_CURVE_H
+
+#include <meridian/surface/Triangle_surface.h>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianSurface
+/// a point of a curve: on a vertex, or inside an edge.
+struct Curve_point
+{
+  Index vertex = -1;   ///< the vertex, or -1 for a point inside an edge
+  Index halfedge = -1; ///< the halfedge by which the curve leaves a face
+  double t = 0;        ///< where on the halfedge, from its source (0) to its target (1)
+  Index node = -1;     ///< points of an edge with the same number from 0 on are one point, where curves meet
+
+  static Curve_point on_vertex(Index v) { return {v, -1, 0, -1}; }
+  static Curve_point on_edge(Index h, double t) { return {-1, h, t, -1}; }
+  bool is_vertex() const { return vertex >= 0; }
+};
+
+/// \ingroup PkgMeridianSurface
+/// a curve on a surface, the one type that producers make and `insert_curves()` takes.
+///
+/// Between two points it runs straight through one face, or along the edge that joins two vertices.
+/// A point inside an edge names the halfedge of the face that the curve comes from; the curve goes on
+/// in the face of the opposite halfedge.
+struct Surface_curve
+{
+  std::vector<Curve_point> points;
+  bool closed = false; ///< the last point is joined to the first, which is not repeated
+};
+
+/// \ingroup PkgMeridianSurface
+inline Point position(const Triangle_surface& s, const Curve_point& p)
+{ return p.is_vertex() ? s.points[p.vertex] : s.point_on(p.halfedge, p.t); }
+
+/// \ingroup PkgMeridianSurface
+/// \returns the length of the curve in the unit of the points
+inline double length(const Triangle_surface& s, const Surface_curve& curve)
+{
+  double sum = 0;
+  const std::size_t n = curve.points.size();
+  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i)
+    sum += distance(position(s, curve.points[i]), position(s, curve.points[(i + 1) % n]));
+  return sum;
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_SURFACE_SURFACE_CURVE_H

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut.h"
+#include "files/write_mesh.h"
+#include "instances.h"
+
+#include <meridian/unwrap/cut_family.h>
+
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace meridian {
+namespace program {
+
+namespace {
+
+// The path with a number before its ending: disc.obj.gz, 7 -> disc_07.obj.gz.
+std::string numbered(const std::string& path, std::size_t number)
+{
+  if (path.empty()) { return path; }
+  const std::size_t name = path.find_last_of("/\\") + 1;
+  const std::size_t end = files::is_packed(path) ? path.size() - 3 : path.size(), dot = path.rfind('.', end - 1);
+  std::ostringstream text;
+  text << '_' << std::setw(2) << std::setfill('0') << number;
+  return std::string(path).insert(dot == std::string::npos || dot < name ? end : dot, text.str());
+}
+
+struct Row { std::string name, file; double length; std::size_t new_vertices; double smallest_angle; };
+
+} // namespace
+
+int run_family(const Cut_arguments& arguments)
+{
+  files::check_writable_format(arguments.out);
+  check_cut_arguments(arguments);
+  std::vector<std::string> written{arguments.report};
+  for (int i = 0; i < arguments.family; ++i)
+    for (const std::string& path : {arguments.out, arguments.curves, arguments.view})
+    {
+      written.push_back(numbered(path, i));
+      if (path == arguments.out) { written.push_back(files::map_path(written.back())); }
+    }
+  check_paths(arguments, written);
+  Terminal terminal(arguments.quiet);
+  const Loaded_mesh loaded = load_mesh(arguments);
+  const auto& components = loaded.examination.components;
+  const std::vector<Cut_options> options = cut_options(arguments, loaded, terminal);
+  std::vector<Cut_family> families;
+  std::size_t largest = 0;
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    families.emplace_back(components[i].surface, arguments.family, options[i]);
+    if (components[i].surface.number_of_faces() > components[largest].surface.number_of_faces()) { largest = i; }
+  }
+  files::Output_files out;
+  std::vector<Row> rows;
+  Json members = Json::array();
+  bool is_verified = true;
+  std::vector<Family_member> current(components.size());
+  while (static_cast<int>(rows.size()) < arguments.family)
+  {
+    bool is_new = false;
+    for (std::size_t i = 0; i < components.size(); ++i)
+    {
+      terminal.begin_component(i, components.size());
+      auto member = families[i].next();
+      if (!member) { continue; } // a component with fewer cuts keeps its last
+      is_new = true;
+      current[i] = std::move(*member);
+    }
+    if (!is_new) { break; }
+    std::vector<Disc_cut> cuts;
+    std::vector<Cut_options> used;
+    for (const Family_member& member : current)
+    {
+      cuts.push_back(member.cut);
+      used.push_back(member.options);
+    }
+    const Cut_result result = conclude_cut(loaded, std::move(cuts), used, terminal);
+    Cut_arguments paths = arguments;
+    for (std::string* path : {&paths.out, &paths.curves, &paths.view}) { *path = numbered(*path, rows.size()); }
+    Row row{current[largest].name, paths.out, result.length, 0, std::numeric_limits<double>::infinity()};
+    for (const Disc_cut& cut : result.cuts)
+    {
+      row.new_vertices += cut.surface.origins.size();
+      row.smallest_angle = std::min(row.smallest_angle, cut.smallest_angle_after * 180 / std::acos(-1.));
+    }
+    members.push_back({{"name", row.name}, {"file", row.file}, {"length", row.length}, {"new_vertices", row.new_vertices},
+                       {"smallest_angle", row.smallest_angle}, {"components", result.components}, {"failures", result.verification.failures},
+                       {"verified", static_cast<bool>(result.verification)}});
+    for (const std::string& failure : result.verification.failures) { std::cerr << "meridian: " << row.name << " not verified: " << failure << '\n'; }
+    if (result.verification) { add_cut(out, paths, loaded, result); }
+    is_verified = is_verified && result.verification;
+    rows.push_back(std::move(row));
+  }
+  std::vector<std::array<double, 3>> costs;
+  for (const Row& row : rows) { costs.push_back({row.length, static_cast<double>(row.new_vertices), -row.smallest_angle}); }
+  const std::vector<char> is_best = find_best_cuts(costs);
+  for (std::size_t i = 0; i < rows.size(); ++i) { members[i]["best"] = static_cast<bool>(is_best[i]); }
+  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)}, {"family", members},
+                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}}}, {"verified", is_verified}};
+  if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
+  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
+  out.commit();
+  terminal.clear();
+  if (!arguments.quiet)
+  {
+    for (const std::string& repair : loaded.examination.repairs) { std::cout << "note: " << repair << '\n'; }
+    std::cout << "      length  new vertices  smallest angle\n";
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      std::cout << std::setw(12) << rows[i].length << std::setw(14) << rows[i].new_vertices << std::setw(15) << std::setprecision(3) << rows[i].smallest_angle
+                << std::setprecision(6) << (is_best[i] ? " * " : "   ") << rows[i].file << ": " << rows[i].name << '\n';
+    std::cout << (is_verified ? "verified: " : "NOT all verified: ") << rows.size() << " different cuts; * no other is as good in every respect\n";
+  }
+  return is_verified ? VERIFIED : NOT_VERIFIED;
+}
+
+} // namespace program
+} // namespace meridian

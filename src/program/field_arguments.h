@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FIELD_ARGUMENTS_H
+#define MERIDIAN_FIELD_ARGUMENTS_H
+
+#include "commands.h"
+
+#include <meridian/surface/examine_surface.h>
+
+namespace meridian {
+namespace program {
+
+// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read.
+void check_paths(const Field_arguments& arguments, const std::vector<std::string>& written);
+
+// Throws Usage_error if two outputs go to one file, or one to the input, or if options do not go together.
+void check_arguments(const Field_arguments& arguments);
+
+// Throws Usage_error if no face of the mesh has the vertex that an option names.
+void check_vertex(const char* option, Index vertex, const Examination& examination);
+
+// The mesh as it was read, and what it is.
+struct Loaded_mesh
+{
+  Polygon_soup soup;
+  Examination examination;
+  std::vector<double> values, vertex_weights; // one a vertex of the file, if options name them
+  double seconds_reading, seconds_examining;
+};
+
+// Reads and examines the mesh, and checks the vertices that options name. Signals are heeded once it is read.
+Loaded_mesh load_mesh(const Field_arguments& arguments);
+
+// Those of the vertices of the file that lie on a component, in its numbers.
+std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& component);
+
+// The part of the options for one component that concerns the field and what is preferred. Vertices of the file that the
+// component does not have are left to the others. `place` is its number.
+// Fields are solved for here, where they are not harmonic.
+void set_field_options(const Field_arguments& arguments, const Loaded_mesh& loaded, std::size_t place, Field_options& field, Preference& preference, Levels& levels);
+
+} // namespace program
+} // namespace meridian
+
+#endif // MERIDIAN_FIELD_ARGUMENTS_H

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cut.h"
+#include "files/png.h"
+#include "files/write_layout.h"
+#include "files/write_mesh.h"
+#include "files/write_texture.h"
+#include "instances.h"
+#include "page/format_unwrap_page.h"
+
+#include <meridian/unwrap/geometry_image.h>
+#include <meridian/unwrap/measure_round_trip.h>
+#include <meridian/map/pack_charts.h>
+#include <meridian/proof/verify_unwrapping.h>
+
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+namespace meridian {
+namespace program {
+
+namespace {
+
+// The paths that go with OUT.
+std::string beside(const Unwrap_arguments& a, const char* ending)
+{
+  const std::string map = files::map_path(a.out);
+  return map.substr(0, map.size() - std::string(".map.json").size()) + ending;
+}
+
+void check_unwrap_arguments(const Unwrap_arguments& a)
+{
+  if (files::format_of(a.out) != "obj") { throw files::File_error(a.out + ": texture coordinates are written to OBJ files; end the name with .obj or .obj.gz"); }
+  check_cut_arguments(a);
+  const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
+  const bool is_free = a.parameterization == "lscm" || a.parameterization == "arap";
+  forbid(is_free && a.border != "free", "this --parameterization has a free border; leave out --border");
+  forbid(!is_free && a.parameterization != "symmetric-dirichlet" && a.has_border && a.border == "free", "this --parameterization needs a border; --border circle or square");
+  forbid(!a.texture.empty() && files::format_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
+  const std::string format = files::format_of(a.distortion);
+  forbid(!a.distortion.empty() && format != "ply" && format != "vtp", "--distortion writes PLY or VTP, which can hold values of faces");
+  std::vector<std::string> written{a.out, files::map_path(a.out), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
+  if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
+  if (a.geometry_image > 0)
+  {
+    forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
+    forbid((a.has_border && a.border != "square") || (a.parameterization != "symmetric-dirichlet" && a.parameterization != "stretch" && a.parameterization != "positive"),
+           "--geometry-image maps into a square with --parameterization symmetric-dirichlet, stretch or positive");
+    for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
+  }
+  check_paths(a, written);
+}
+
+Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
+{
+  Unwrap_options o;
+  o.cut = cut;
+  for (Map_method method : map_methods) { if (a.parameterization == name_of(method)) { o.map.method = method; } }
+  o.map.border = a.border == "square" ? Map_border::SQUARE : a.border == "circle" ? Map_border::CIRCLE : Map_border::FREE;
+  o.family = std::max(a.family, 1);
+  o.stretch_weight = a.stretch_weight;
+  o.max_stretch = a.max_stretch;
+  o.image_size = a.geometry_image;
+  return o;
+}
+
+// Packs the maps, and measures them as they then are. Returns texture coordinates for the vertices of a result.
+std::vector<Plane_point> pack(const Loaded_mesh& loaded, std::vector<Unwrapping>& unwrapped, const Assembled_result& assembled)
+{
+  double largest = 0;
+  for (const Surface_component& c : loaded.examination.components) { largest = std::max(largest, c.unit); }
+  std::vector<Chart> charts;
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    const double unit = loaded.examination.components[i].unit / largest; // squares of units may leave the range of double
+    charts.push_back({&unwrapped[i].disc.triangles, unwrapped[i].map.at, unit * unit * area(unwrapped[i].disc)});
+  }
+  if (unwrapped.front().border.size == 0) { pack_charts(charts); } // the square of a geometry image stays as it is
+  std::vector<Plane_point> texture(assembled.mesh.points.size(), {0, 0});
+  for (std::size_t i = 0; i < charts.size(); ++i)
+  {
+    const Triangle_surface& disc = unwrapped[i].disc;
+    Parameterization& map = unwrapped[i].map;
+    map.at = std::move(charts[i].at);
+    map.flipped = find_flipped_faces(disc.triangles, map.at);
+    map.faces = measure_faces(disc.points, disc.triangles, map.at);
+    map.distortion = measure_distortion(disc.points, disc.triangles, map.at, map.faces);
+    for (std::size_t v = 0; v < map.at.size(); ++v) { texture[assembled.place[i][v]] = map.at[v]; }
+  }
+  return texture;
+}
+
+Json report_steps(const std::vector<Unwrap_step>& steps, double unit)
+{
+  Json list = Json::array();
+  for (const Unwrap_step& s : steps)
+  {
+    list.push_back({{"name", s.name}, {"length", unit * s.length}, {"taken", s.is_taken}});
+    if (s.flipped < 0) { list.back()["reason"] = s.reason; }
+    else { list.back().update({{"stretch_l2", s.stretch_l2}, {"method", name_of(s.method)}, {"flipped", s.flipped}}); }
+  }
+  return list;
+}
+
+Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
+{
+  const Distortion& d = u.map.distortion;
+  Json attempts = Json::array();
+  for (const Map_attempt& a : u.map.attempts)
+  {
+    attempts.push_back({{"method", name_of(a.method)}, {"border", name_of(a.border)}, {"flipped", a.flipped < 0 ? Json() : Json(a.flipped)}});
+    if (!a.reason.empty()) { attempts.back()["reason"] = a.reason; }
+  }
+  return {{"method", name_of(u.map.method)}, {"border", name_of(u.map.border)}, {"asked", name_of(options.map.method)}, {"attempts", attempts}, {"flipped", u.map.flipped.size()},
+          {"one_to_one", u.map.is_one_to_one}, {"stretch_l2", d.stretch_l2}, {"stretch_linf", d.stretch_linf}, {"angle", d.angle * 180 / std::acos(-1.)}, {"area", d.area},
+          {"conformal", d.conformal}, {"areal", d.areal}, {"family", report_steps(u.members, unit)}, {"links", report_steps(u.variations, unit)},
+          {"extensions", report_steps(u.extensions, unit)}};
+}
+
+// The distortion of each face of a result, with numbers in place of infinity.
+std::vector<Face_distortion> distortion_of_faces(const Assembled_result& assembled, const std::vector<Plane_point>& texture, const std::vector<Unwrapping>& unwrapped)
+{
+  const Result_mesh& mesh = assembled.mesh;
+  std::vector<Point> points = mesh.points; // those of each component at its own scale
+  std::vector<std::vector<std::array<Index, 3>>> triangles(unwrapped.size());
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f) { triangles[mesh.component_of[f]].push_back(mesh.faces[f]); }
+  std::vector<std::vector<Face_distortion>> measured;
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    const auto& local = unwrapped[i].disc.points;
+    for (std::size_t v = 0; v < local.size(); ++v) { points[assembled.place[i][v]] = local[v]; }
+    measured.push_back(measure_faces(points, triangles[i], texture));
+  }
+  std::vector<std::size_t> next(unwrapped.size(), 0);
+  std::vector<Face_distortion> faces;
+  for (Index component : mesh.component_of)
+  {
+    faces.push_back(measured[component][next[component]++]);
+    for (double* value : {&faces.back().stretch_l2, &faces.back().stretch_linf, &faces.back().conformal, &faces.back().areal}) { *value = std::min(*value, 1e300); }
+  }
+  return faces;
+}
+
+// A geometry image and the surface that it makes, and how near that is.
+Json add_geometry_image(files::Output_files& out, const Unwrap_arguments& a, const Surface_component& component, const Unwrapping& u)
+{
+  const Geometry_image image = sample_geometry(u.disc, u.map.at, u.border);
+  const Remeshed remeshed = remesh_from_image(image, &u.border);
+  const Round_trip trip = measure_round_trip(component.surface, remeshed.surface);
+  std::vector<std::uint16_t> rows; // from the top
+  for (int row = image.size; row-- > 0;) { rows.insert(rows.end(), image.samples.begin() + 3 * image.pixel(0, row), image.samples.begin() + 3 * image.pixel(0, row) + 3 * image.size); }
+  out.add(beside(a, ".geometry.png"), files::format_png(image.size, image.size, 3, rows, 16));
+  Result_mesh mesh;
+  for (const Point& p : remeshed.surface.points) { mesh.points.push_back(component.unit * p); }
+  mesh.faces = remeshed.surface.triangles;
+  out.add(beside(a, ".remesh.obj"), files::format_mesh(beside(a, ".remesh.obj"), mesh));
+  const int loops = static_cast<int>(boundary_loops(remeshed.surface).size());
+  const int characteristic = remeshed.surface.number_of_vertices() - remeshed.surface.number_of_edges() + remeshed.surface.number_of_faces();
+  const double unit = component.unit;
+  return {{"size", image.size}, {"low", {unit * image.low[0], unit * image.low[1], unit * image.low[2]}}, {"step", unit * image.step},
+          {"faces_left_out", remeshed.faces_left_out}, {"genus", (2 - characteristic - loops) / 2}, {"boundary_loops", loops},
+          {"hausdorff", unit * trip.hausdorff}, {"rms", unit * trip.rms}, {"psnr", trip.psnr}};
+}
+
+// The mesh as it is on the surface, not taken apart.
+Result_mesh closed_mesh(Result_mesh mesh)
+{
+  for (auto& face : mesh.faces) { for (Index& v : face) { v = mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]; } }
+  mesh.points.resize(std::find_if(mesh.copy_of.begin(), mesh.copy_of.end(), [](Index c) { return c >= 0; }) - mesh.copy_of.begin());
+  return mesh;
+}
+
+} // namespace
+
+int run_unwrap(const Unwrap_arguments& arguments)
+{
+  check_unwrap_arguments(arguments);
+  Terminal terminal(arguments.quiet);
+  const Loaded_mesh loaded = load_mesh(arguments);
+  const auto& components = loaded.examination.components;
+  if (arguments.geometry_image > 0 && components.size() > 1)
+    throw Invalid_input_error("a geometry image holds one component; the mesh has " + std::to_string(components.size()));
+  const std::vector<Cut_options> cuts = cut_options(arguments, loaded, terminal);
+  std::vector<Unwrapping> unwrapped;
+  std::vector<Unwrap_options> options;
+  std::vector<Disc_cut> found;
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    terminal.begin_component(i, components.size());
+    options.push_back(unwrap_options(arguments, cuts[i]));
+    unwrapped.push_back(unwrap_surface(components[i].surface, options.back()));
+    found.push_back(std::move(unwrapped.back().cut));
+  }
+  std::vector<Plane_point> texture;
+  Cut_result result = conclude_cut(loaded, std::move(found), cuts, terminal, [&](const Assembled_result& assembled) {
+    texture = pack(loaded, unwrapped, assembled);
+    return verify_unwrapping(loaded.soup, assembled.mesh, texture);
+  });
+  const Result_mesh& mesh = result.assembled.mesh;
+  const Verification& verification = result.verification;
+  double worst = 0;
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    result.components[i]["parameterization"] = report_map(unwrapped[i], options[i], components[i].unit);
+    worst = std::max(worst, unwrapped[i].map.distortion.stretch_l2);
+  }
+  Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)}, {"components", result.components},
+                    {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
+                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", result.seconds_assembling}, {"verify", result.seconds_verifying}}},
+                    {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
+
+  files::Output_files out;
+  if (verification && arguments.geometry_image > 0) { report["geometry_image"] = add_geometry_image(out, arguments, components.front(), unwrapped.front()); }
+  if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
+  std::ostringstream caption;
+  caption << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus << ", " << result.loops << " boundary loops; cut length "
+          << result.length << ", L2 stretch " << worst;
+  if (verification)
+  {
+    namespace fs = std::filesystem;
+    const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
+    out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, fs::path(material).filename().string()));
+    out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::UNWRAPPING));
+    const auto faces = distortion_of_faces(result.assembled, texture, unwrapped);
+    std::vector<double> stretch;
+    for (const Face_distortion& f : faces) { stretch.push_back(std::min(f.stretch_l2, 1e30)); }
+    if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, texture, stretch)); }
+    if (!arguments.texture.empty())
+    {
+      out.add(arguments.texture, files::format_checkerboard(1024, 32));
+      const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(), image = fs::weakly_canonical(fs::absolute(arguments.texture));
+      out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
+    }
+    if (!arguments.distortion.empty())
+    {
+      std::vector<files::Face_values> values{{"stretch_l2", {}}, {"stretch_linf", {}}, {"conformal", {}}, {"areal", {}}};
+      for (const Face_distortion& f : faces)
+      {
+        const std::array<double, 4> all{f.stretch_l2, f.stretch_linf, f.conformal, f.areal};
+        for (std::size_t k = 0; k < 4; ++k) { values[k].values.push_back(all[k]); }
+      }
+      out.add(arguments.distortion, files::format_mesh(arguments.distortion, closed_mesh(mesh), values));
+    }
+    if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled))); }
+    if (!arguments.view.empty()) { out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption.str(), mesh, texture, stretch)); }
+  }
+  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
+  out.commit();
+  terminal.clear();
+
+  for (const std::string& failure : verification.failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }
+  if (!arguments.quiet)
+  {
+    for (const std::string& repair : loaded.examination.repairs) { std::cout << "note: " << repair << '\n'; }
+    for (std::size_t i = 0; i < unwrapped.size(); ++i)
+    {
+      const Unwrapping& u = unwrapped[i];
+      const Map_attempt& asked = u.map.attempts.front();
+      if (u.map.attempts.size() > 1)
+        std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << " (border " << name_of(u.map.border) << "), because " << name_of(asked.method) << " (border "
+                  << name_of(asked.border) << ") " << (asked.flipped < 0 ? "gave no map: " + asked.reason : "left " + std::to_string(asked.flipped) + " flipped faces") << '\n';
+      if (!u.extensions.empty() && arguments.max_stretch == 0) { std::cout << "note: component " << i << ": the cut was extended, because its map was of no use\n"; }
+      if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
+        std::cout << "note: component " << i << ": the stretch is " << u.map.distortion.stretch_l2 << "; no further extension of the cut lowered it\n";
+    }
+    if (report.contains("geometry_image"))
+    {
+      const Json& image = report["geometry_image"];
+      std::cout << "geometry image: the surface made of it has genus " << image["genus"] << " and " << image["boundary_loops"] << " boundary loops; Hausdorff distance "
+                << image["hausdorff"].get<double>() << ", PSNR " << image["psnr"].get<double>() << " dB\n";
+    }
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << caption.str() << (verification ? "; no face is turned over" : "") << '\n';
+  }
+  return verification ? VERIFIED : NOT_VERIFIED;
+}
+
+} // namespace program
+} // namespace meridian
