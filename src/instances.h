@@ -3,10 +3,10 @@
 #ifndef MERIDIAN_INSTANCES_H
 #define MERIDIAN_INSTANCES_H
 
-#include <meridian/unwrap/compare_parameterizations.h>
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/field/fields.h>
 #include <meridian/handles/find_shortest_basis.h>
+#include <meridian/unwrap/compare_parameterizations.h>
 #include <meridian/unwrap/unwrap_surface.h>
 
 namespace meridian {
@@ -21,7 +21,8 @@ extern template std::vector<double> geodesic_distance<>(const Triangle_surface&,
 
 extern template Parameterization parameterize_disc<>(const Triangle_surface&, const Map_options&);
 extern template Unwrapping unwrap_surface<>(const Triangle_surface&, const Unwrap_options&);
-extern template Map_comparison compare_parameterizations<>(const Triangle_surface&, const Cut_disc&, const Cut_disc&, Map_weights);
+extern template Map_comparison compare_parameterizations<>(const Triangle_surface&, const Cut_disc&, const Cut_disc&,
+                                                           Map_weights);
 
 } // namespace meridian
 

@@ -7,6 +7,7 @@ namespace meridian {
 
 template Parameterization parameterize_disc<>(const Triangle_surface&, const Map_options&);
 template Unwrapping unwrap_surface<>(const Triangle_surface&, const Unwrap_options&);
-template Map_comparison compare_parameterizations<>(const Triangle_surface&, const Cut_disc&, const Cut_disc&, Map_weights);
+template Map_comparison compare_parameterizations<>(const Triangle_surface&, const Cut_disc&, const Cut_disc&,
+                                                    Map_weights);
 
 } // namespace meridian

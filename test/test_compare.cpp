@@ -88,15 +88,31 @@ std::vector<Index> untouched_by_sets(const Triangle_surface& root, const Disc_cu
       around[w].insert(v);
       ++uses[{std::min(v, w), std::max(v, w)}];
     }
-  for (const auto& [edge, n] : uses) { if (n == 1) { border.insert(edge.first); border.insert(edge.second); } }
+  for (const auto& [edge, n] : uses)
+  {
+    if (n == 1)
+    {
+      border.insert(edge.first);
+      border.insert(edge.second);
+    }
+  }
   for (const Disc_cut* cut : {&a, &b})
   {
     const Refined_surface& s = cut->surface;
     std::vector<int> parts(root.number_of_faces(), 0);
     for (Index f : s.face_of) { ++parts[f]; }
-    for (Index f = 0; f < root.number_of_faces(); ++f) { if (parts[f] != 1) { touched.insert(root.triangles[f].begin(), root.triangles[f].end()); } }
+    for (Index f = 0; f < root.number_of_faces(); ++f)
+    {
+      if (parts[f] != 1) { touched.insert(root.triangles[f].begin(), root.triangles[f].end()); }
+    }
     for (Index h = 0; h < s.number_of_halfedges(); ++h)
-      if (s.seam[h]) { for (Index v : {s.source(h), s.target(h)}) { if (v < root.number_of_vertices()) { touched.insert(v); } } }
+      if (s.seam[h])
+      {
+        for (Index v : {s.source(h), s.target(h)})
+        {
+          if (v < root.number_of_vertices()) { touched.insert(v); }
+        }
+      }
   }
   std::vector<Index> result;
   for (Index v = 0; v < root.number_of_vertices(); ++v)
@@ -138,7 +154,10 @@ template <class Function> std::vector<Plane_point> map_grid(const Triangle_surfa
 std::vector<Plane_point> moved(std::vector<Plane_point> at, double scale, double angle, const Plane_point& by)
 {
   for (Plane_point& p : at)
-    p = scale * Plane_point{std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1]} + by;
+    p =
+      scale
+        * Plane_point{std::cos(angle) * p[0] - std::sin(angle) * p[1], std::sin(angle) * p[0] + std::cos(angle) * p[1]}
+      + by;
   return at;
 }
 
@@ -172,7 +191,8 @@ BOOST_DATA_TEST_CASE(the_variation_is_at_least_the_bound, data::xrange(6), which
         BOOST_TEST(c.residual[0] < 1e-12);
         BOOST_TEST(c.residual[1] < 1e-12);
         BOOST_TEST(c.relative_variation <= 1);
-        if (c.untouched.size() < 2 || discs[i].is_touched == discs[j].is_touched) { continue; } // curves may differ by rounding alone
+        // curves may differ by rounding alone
+        if (c.untouched.size() < 2 || discs[i].is_touched == discs[j].is_touched) { continue; }
         ++compared;
         BOOST_TEST(c.bound > 0);
         BOOST_TEST(c.bound > 0.99 * c.discrepancy / c.norm); // what rounding takes off is next to nothing
@@ -182,8 +202,8 @@ BOOST_DATA_TEST_CASE(the_variation_is_at_least_the_bound, data::xrange(6), which
       }
     }
   BOOST_TEST(compared >= 15);
-  BOOST_TEST_MESSAGE("surface " << which << ", " << s.number_of_vertices() << " vertices: " << compared << " comparisons, bound / variation "
-                     << least << " to " << most);
+  BOOST_TEST_MESSAGE("surface " << which << ", " << s.number_of_vertices() << " vertices: " << compared
+                                << " comparisons, bound / variation " << least << " to " << most);
 }
 
 BOOST_AUTO_TEST_CASE(the_bound_holds_for_members_of_a_family)
@@ -225,7 +245,10 @@ BOOST_DATA_TEST_CASE(a_recount_with_dense_matrices_agrees, data::xrange(3) * dat
       const Index a = t[k], b = t[(k + 1) % 3], d = t[(k + 2) % 3];
       double x = 0.5; // of the edge a b, in this face
       if (all_weights[w] == Map_weights::COTANGENT) { x = 0.5 / std::tan(angle(d, a, b)); }
-      if (all_weights[w] == Map_weights::POSITIVE) { x = (std::tan(angle(a, b, d) / 2) + std::tan(angle(b, a, d) / 2)) / 2 / distance(s.points[a], s.points[b]); }
+      if (all_weights[w] == Map_weights::POSITIVE)
+      {
+        x = (std::tan(angle(a, b, d) / 2) + std::tan(angle(b, a, d) / 2)) / 2 / distance(s.points[a], s.points[b]);
+      }
       laplacian(a, b) -= x;
       laplacian(b, a) -= x;
       laplacian(a, a) += x;
@@ -242,7 +265,10 @@ BOOST_DATA_TEST_CASE(a_recount_with_dense_matrices_agrees, data::xrange(3) * dat
     for (int k = 0; k < 2; ++k)
     {
       difference(i, k) = c.at[0][v][k] - c.at[1][v][k];
-      for (Index u = 0; u < n; ++u) { if (!is_inside[u]) { right(i, k) -= laplacian(v, u) * (c.at[0][u][k] - c.at[1][u][k]); } }
+      for (Index u = 0; u < n; ++u)
+      {
+        if (!is_inside[u]) { right(i, k) -= laplacian(v, u) * (c.at[0][u][k] - c.at[1][u][k]); }
+      }
     }
   }
   const double top = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inside).eigenvalues().maxCoeff();
@@ -251,12 +277,15 @@ BOOST_DATA_TEST_CASE(a_recount_with_dense_matrices_agrees, data::xrange(3) * dat
   BOOST_TEST(c.variation == difference.norm(), boost::test_tools::tolerance(1e-12));
   BOOST_TEST(c.discrepancy == right.norm(), boost::test_tools::tolerance(1e-9));
   BOOST_TEST(c.bound == right.norm() / c.norm, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST((inside * difference - right).norm() < 1e-11 * right.norm()); // so what was solved with is what is bounded with
+  // so what was solved with is what is bounded with
+  BOOST_TEST((inside * difference - right).norm() < 1e-11 * right.norm());
   const double circle = std::sqrt(area(s) / sample::pi) * 2;
-  BOOST_TEST(c.relative_variation == difference.norm() / std::sqrt(double(rows)) / circle, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(c.relative_variation == difference.norm() / std::sqrt(double(rows)) / circle,
+             boost::test_tools::tolerance(1e-9));
   for (int i = 0; i < 2; ++i) // the gauge
   {
-    BOOST_TEST(area_of(i ? second.opened.triangles : first.opened.triangles, c.at[i]) == area(s), boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(area_of(i ? second.opened.triangles : first.opened.triangles, c.at[i]) == area(s),
+               boost::test_tools::tolerance(1e-9));
     Plane_point sum{0, 0};
     for (Index v : c.untouched) { sum = sum + c.at[i][v]; }
     BOOST_TEST(norm(sum) < 1e-10 * static_cast<double>(rows) * circle);
@@ -269,7 +298,8 @@ BOOST_DATA_TEST_CASE(what_is_untouched_is_what_sets_say, data::xrange(6), which)
   const auto cuts = make_cuts(s);
   for (std::size_t i = 0; i < cuts.size(); ++i)
     for (std::size_t j = i; j < cuts.size(); j += 2)
-      BOOST_TEST((find_untouched_vertices(s, cut_disc_of(s, cuts[i]), cut_disc_of(s, cuts[j])) == untouched_by_sets(s, cuts[i], cuts[j])));
+      BOOST_TEST((find_untouched_vertices(s, cut_disc_of(s, cuts[i]), cut_disc_of(s, cuts[j]))
+                  == untouched_by_sets(s, cuts[i], cuts[j])));
 }
 
 // The common sub-matrix of the paper: the weights that each disc gives the edges at J, bit for bit.
@@ -318,7 +348,8 @@ BOOST_DATA_TEST_CASE(the_order_of_the_cuts_does_not_matter, data::xrange(3), w)
   const auto discs = make_discs(s);
   for (std::size_t i = 0; i + 1 < discs.size(); ++i)
   {
-    const auto a = compare_parameterizations(s, discs[i], discs[i + 1], all_weights[w]), b = compare_parameterizations(s, discs[i + 1], discs[i], all_weights[w]);
+    const auto a = compare_parameterizations(s, discs[i], discs[i + 1], all_weights[w]),
+               b = compare_parameterizations(s, discs[i + 1], discs[i], all_weights[w]);
     check_close(a, b);
     BOOST_TEST(a.untouched == b.untouched, boost::test_tools::per_element());
     BOOST_TEST(a.distortion[0].stretch_l2 == b.distortion[1].stretch_l2, boost::test_tools::tolerance(1e-12));
@@ -336,7 +367,8 @@ BOOST_DATA_TEST_CASE(a_larger_surface_varies_in_proportion, data::xrange(3), w)
     Cut_disc a = discs[0], b = discs[3];
     a.disc = sample::scaled(a.disc, factor);
     b.disc = sample::scaled(b.disc, factor);
-    check_close(compare_parameterizations(s, discs[0], discs[3], all_weights[w]), compare_parameterizations(larger, a, b, all_weights[w]), factor);
+    check_close(compare_parameterizations(s, discs[0], discs[3], all_weights[w]),
+                compare_parameterizations(larger, a, b, all_weights[w]), factor);
   }
 }
 
@@ -348,12 +380,16 @@ BOOST_DATA_TEST_CASE(other_numbers_of_vertices_and_faces_change_nothing, data::x
   std::vector<Index> number(s.number_of_vertices());
   std::iota(number.begin(), number.end(), Index(0));
   for (Index i = s.number_of_vertices(); i-- > 1;) { std::swap(number[i], number[random() % (i + 1)]); }
-  const auto renumbered = [&](const Triangle_surface& from) { // the vertices of the root alone; faces in reverse, corners turned
+  // the vertices of the root alone; faces in reverse, corners turned
+  const auto renumbered = [&](const Triangle_surface& from) {
     Triangle_surface t = from;
     for (Index v = 0; v < s.number_of_vertices(); ++v) { t.points[number[v]] = from.points[v]; }
     for (auto& corners : t.triangles)
     {
-      for (Index& v : corners) { if (v < s.number_of_vertices()) { v = number[v]; } }
+      for (Index& v : corners)
+      {
+        if (v < s.number_of_vertices()) { v = number[v]; }
+      }
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     }
     std::reverse(t.triangles.begin(), t.triangles.end());
@@ -382,8 +418,14 @@ BOOST_DATA_TEST_CASE(which_side_of_the_seam_keeps_a_vertex_does_not_matter, data
     Disc_cut other = cut;
     std::vector<Index> name(cut.surface.number_of_vertices() + cut.opened.copy_of.size());
     std::iota(name.begin(), name.end(), Index(0));
-    for (std::size_t i = 0; i < cut.opened.copy_of.size(); ++i) { std::swap(name[cut.opened.copy_of[i]], name[cut.surface.number_of_vertices() + i]); }
-    for (auto& t : other.opened.triangles) { for (Index& v : t) { v = name[v]; } }
+    for (std::size_t i = 0; i < cut.opened.copy_of.size(); ++i)
+    {
+      std::swap(name[cut.opened.copy_of[i]], name[cut.surface.number_of_vertices() + i]);
+    }
+    for (auto& t : other.opened.triangles)
+    {
+      for (Index& v : t) { v = name[v]; }
+    }
     const Cut_disc a = cut_disc_of(s, cut), b = cut_disc_of(s, other);
     BOOST_TEST((a.is_touched == b.is_touched));
   }
@@ -405,13 +447,17 @@ BOOST_AUTO_TEST_CASE(a_map_that_is_moved_in_the_plane_is_brought_back)
     {
       const auto at = moved(c.at[1], 1, angle, {x, -x});
       double square = 0;
-      for (Index v : c.untouched) { const Plane_point d = at[v] - c.at[0][v]; square += dot(d, d); }
+      for (Index v : c.untouched)
+      {
+        const Plane_point d = at[v] - c.at[0][v];
+        square += dot(d, d);
+      }
       BOOST_TEST(std::sqrt(square) > c.variation);
     }
 }
 
-// Known answers on a plane grid, where cotangent weights are the five-point stencil: its norm, harmonic polynomials, and
-// the bound attained by the highest eigenvector.
+// Known answers on a plane grid, where cotangent weights are the five-point stencil: its norm, harmonic polynomials,
+// and the bound attained by the highest eigenvector.
 BOOST_DATA_TEST_CASE(the_five_point_stencil_of_a_grid, data::make({5, 6, 9, 16, 40}), n)
 {
   const auto s = grid(n);
@@ -419,7 +465,9 @@ BOOST_DATA_TEST_CASE(the_five_point_stencil_of_a_grid, data::make({5, 6, 9, 16, 
   const auto weights = map_weights(s, Map_weights::COTANGENT);
   const auto same = map_grid(s, [](double x, double y) { return Plane_point{x, y}; });
   const double bend = 0.3 / n;
-  const auto bent = map_grid(s, [&](double x, double y) { return Plane_point{x + bend * (x * x - y * y), y + bend * 2 * x * y}; });
+  const auto bent = map_grid(s, [&](double x, double y) {
+    return Plane_point{x + bend * (x * x - y * y), y + bend * 2 * x * y};
+  });
   const auto c = compare_maps(s, d, d, weights, {same, bent});
   const int inside = n - 3; // vertices of J a side
   BOOST_TEST(c.untouched.size() == static_cast<std::size_t>(inside * inside));
@@ -458,7 +506,8 @@ BOOST_AUTO_TEST_CASE(a_single_untouched_vertex_has_no_variation)
   const auto same = map_grid(s, [](double x, double y) { return Plane_point{x, y}; });
   for (int i = 0; i < 50; ++i)
   {
-    const auto first = moved(same, 1.3 + i, 0.7 * i, {0.1, i / 3.}), second = moved(same, 0.3, 0.9 * i, {7, 1. / (i + 1)});
+    const auto first = moved(same, 1.3 + i, 0.7 * i, {0.1, i / 3.}),
+               second = moved(same, 0.3, 0.9 * i, {7, 1. / (i + 1)});
     const auto c = compare_maps(s, d, d, map_weights(s, Map_weights::COTANGENT), {first, second});
     BOOST_TEST(c.untouched.size() == 1u);
     BOOST_TEST(c.bound == 0);
@@ -518,13 +567,17 @@ BOOST_AUTO_TEST_CASE(discs_of_a_result_are_those_of_its_cuts)
   {
     Polygon_soup input = sample::soup(sample::noisy(sample::torus(24, 12), 0.05, 1));
     const Index n = static_cast<Index>(input.points.size()), lost = n / 2 + 40;
-    for (Index& v : input.corners) { if (v == lost) { v = pinched; } } // two fans at one point
+    for (Index& v : input.corners)
+    {
+      if (v == lost) { v = pinched; }
+    } // two fans at one point
     const auto other = sample::noisy(sample::torus(30, 12), 0.05, 2);
     for (const Point& p : other.points) { input.points.push_back({p[0] + 9, p[1], p[2]}); }
     for (int i = 0; i < 30; ++i)
       for (int j = 0; j < 12; ++j) // quadrilaterals, every third turned over
       {
-        std::array<Index, 4> q{i * 12 + j, (i + 1) % 30 * 12 + j, (i + 1) % 30 * 12 + (j + 1) % 12, i * 12 + (j + 1) % 12};
+        std::array<Index, 4> q{i * 12 + j, (i + 1) % 30 * 12 + j, (i + 1) % 30 * 12 + (j + 1) % 12,
+                               i * 12 + (j + 1) % 12};
         for (Index& v : q) { v += n; }
         if (i % 3 == 0) { std::reverse(q.begin(), q.end()); }
         input.add_polygon(q.data(), 4);
@@ -533,7 +586,8 @@ BOOST_AUTO_TEST_CASE(discs_of_a_result_are_those_of_its_cuts)
     for (int i = 0; i < 3; ++i)
     {
       Cut_options o;
-      if (i > 0) { o.links.source = i == 1 ? pinched : n - 1; } // the two fans: one vertex of the file is not used, so that the second is the last
+      // the two fans: one vertex of the file is not used, so that the second is the last
+      if (i > 0) { o.links.source = i == 1 ? pinched : n - 1; }
       runs[i] = pipeline::run(input, true, o);
       BOOST_REQUIRE(runs[i].verification.failures.empty());
       BOOST_REQUIRE(runs[i].examination.added_vertex_of.size() == 1u);
@@ -558,12 +612,14 @@ BOOST_AUTO_TEST_CASE(discs_of_a_result_are_those_of_its_cuts)
     for (std::size_t k = 0; k < 2; ++k)
     {
       const Triangle_surface& root = runs[0].examination.components[k].surface;
-      const auto a = cut_discs_of(input, runs[0].examination, runs[0].assembled.mesh)[k], b = cut_discs_of(input, runs[2].examination, runs[2].assembled.mesh)[k];
+      const auto a = cut_discs_of(input, runs[0].examination, runs[0].assembled.mesh)[k],
+                 b = cut_discs_of(input, runs[2].examination, runs[2].assembled.mesh)[k];
       const auto c = compare_parameterizations(root, a, b);
       BOOST_TEST(!c.untouched.empty());
       BOOST_TEST(c.bound > 0);
       BOOST_TEST(c.bound <= c.variation);
-      check_close(c, compare_parameterizations(root, cut_disc_of(root, runs[0].cuts[k]), cut_disc_of(root, runs[2].cuts[k])));
+      check_close(
+        c, compare_parameterizations(root, cut_disc_of(root, runs[0].cuts[k]), cut_disc_of(root, runs[2].cuts[k])));
     }
   }
   BOOST_TEST(separate > 0);
@@ -578,7 +634,8 @@ BOOST_AUTO_TEST_CASE(extreme_units_of_a_file_are_those_of_its_surface)
   const auto b = pipeline::run(input, false, o);
   const Triangle_surface& root = a.examination.components[0].surface;
   BOOST_TEST(a.examination.components[0].unit > 1);
-  const auto c = compare_parameterizations(root, cut_discs_of(input, a.examination, a.assembled.mesh)[0], cut_discs_of(input, b.examination, b.assembled.mesh)[0]);
+  const auto c = compare_parameterizations(root, cut_discs_of(input, a.examination, a.assembled.mesh)[0],
+                                           cut_discs_of(input, b.examination, b.assembled.mesh)[0]);
   BOOST_TEST(c.bound > 0);
   check_close(c, compare_parameterizations(root, cut_disc_of(root, a.cuts[0]), cut_disc_of(root, b.cuts[0])));
 }
@@ -586,7 +643,8 @@ BOOST_AUTO_TEST_CASE(extreme_units_of_a_file_are_those_of_its_surface)
 BOOST_AUTO_TEST_CASE(what_does_not_belong_together_is_refused)
 {
   const auto s = surface(0), other = sample::torus(48, 24), small = sample::torus(12, 8);
-  const auto d = cut_disc_of(s, pipeline::cut(s)), of_small = cut_disc_of(small, pipeline::cut(small)), of_other = cut_disc_of(other, pipeline::cut(other));
+  const auto d = cut_disc_of(s, pipeline::cut(s)), of_small = cut_disc_of(small, pipeline::cut(small)),
+             of_other = cut_disc_of(other, pipeline::cut(other));
   BOOST_CHECK_THROW(compare_parameterizations(s, d, of_small), Invalid_input_error);
   BOOST_CHECK_THROW(compare_parameterizations(s, d, of_other), Invalid_input_error); // as many vertices, elsewhere
   const Cut_disc whole{s, std::vector<char>(s.number_of_vertices(), 0)};             // not opened
@@ -597,7 +655,9 @@ BOOST_AUTO_TEST_CASE(what_does_not_belong_together_is_refused)
   auto c = compare_parameterizations(s, d, d);
   c.at[1].pop_back();
   BOOST_CHECK_THROW(compare_maps(s, d, d, map_weights(s, Map_weights::UNIFORM), c.at), Invalid_input_error);
-  BOOST_CHECK_THROW(compare_maps(s, d, d, map_weights(s, Map_weights::UNIFORM), {c.at[0], moved(c.at[0], 0, 0, {1, 1})}), Invalid_input_error);
+  BOOST_CHECK_THROW(
+    compare_maps(s, d, d, map_weights(s, Map_weights::UNIFORM), {c.at[0], moved(c.at[0], 0, 0, {1, 1})}),
+    Invalid_input_error);
   auto run = pipeline::run(sample::soup(small));
   const auto elsewhere = pipeline::run(sample::soup(s));
   BOOST_CHECK_THROW(cut_discs_of(sample::soup(s), elsewhere.examination, run.assembled.mesh), Invalid_input_error);

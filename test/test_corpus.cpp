@@ -1,11 +1,13 @@
 // Cuts real meshes with the program, and compares what it counts with a list: MERIDIAN_CORPUS names a folder that holds
-// MANIFEST.csv with the columns file, F, components, genus_sum and loops_sum. Exit status 77 if the variable is not set.
+// MANIFEST.csv with the columns file, F, components, genus_sum and loops_sum. Exit status 77 if the variable is not
+// set.
 //
 // test_corpus manifest  all meshes of the list but the largest
 // test_corpus large     the largest, and the folder xl
-// test_corpus choices   small meshes of the list with every choice of a field, a preference, a method and so on; `choices all` takes all
-// test_corpus unwrap    small meshes of the list with texture coordinates; `unwrap all` takes those of up to 120 thousand faces. Prints a table
-// test_corpus bad       the folder bad: each is repaired and cut, or refused with a reason
+// test_corpus choices   small meshes of the list with every choice of a field, a preference, a method and so on;
+// `choices all` takes all test_corpus unwrap    small meshes of the list with texture coordinates; `unwrap all` takes
+// those of up to 120 thousand faces. Prints a table test_corpus bad       the folder bad: each is repaired and cut, or
+// refused with a reason
 #include "support/run_program.h"
 
 #include <nlohmann/json.hpp>
@@ -49,7 +51,11 @@ std::vector<std::map<std::string, std::string>> read_manifest(const fs::path& pa
       else if (c == ',' && !is_quoted) { fields.emplace_back(); }
       else { fields.back() += c; }
     }
-    if (names.empty()) { names = fields; continue; }
+    if (names.empty())
+    {
+      names = fields;
+      continue;
+    }
     rows.emplace_back();
     for (std::size_t i = 0; i < names.size() && i < fields.size(); ++i) { rows.back()[names[i]] = fields[i]; }
   }
@@ -97,7 +103,9 @@ void find_generators(const program::Workplace& workplace, const fs::path& mesh)
   }
   const auto verify = workplace.meridian("verify " + quoted(mesh) + " out.obj");
   check(verify.status == 0, name, "verify: exit status " + std::to_string(verify.status) + ": " + verify.error);
-  std::cout << name << ": " << r.out.substr(r.out.rfind("verified")) << name << ": " << flow << " of " << pairs << " longitudes came from flow lines\n" << std::flush;
+  std::cout << name << ": " << r.out.substr(r.out.rfind("verified")) << name << ": " << flow << " of " << pairs
+            << " longitudes came from flow lines\n"
+            << std::flush;
   workplace.shell("rm -f out.obj out.map.json report.json");
   ++passed;
 }
@@ -118,12 +126,16 @@ void run_manifest(const fs::path& corpus, bool large)
     {
       genus += c["genus"].get<int>();
       loops += c["boundary_loops"].get<int>();
-      check(c["field"]["saddles"] == (c["genus"] == 0 ? 0 : 2 * c["genus"].get<int>() + c["field"]["minima"].get<int>() + c["field"]["maxima"].get<int>() - 2),
+      check(c["field"]["saddles"]
+              == (c["genus"] == 0 ? 0
+                                  : 2 * c["genus"].get<int>() + c["field"]["minima"].get<int>()
+                                      + c["field"]["maxima"].get<int>() - 2),
             row.at("file"), "the saddles are not 2g + minima + maxima - 2");
       check(c["cut"]["meridians"].size() == c["genus"], row.at("file"), "the meridians are not as many as the genus");
     }
     const auto expect = [&](const char* column, int found) {
-      check(std::stoi(row.at(column)) == found, row.at("file"), std::string(column) + " is " + row.at(column) + ", counted " + std::to_string(found));
+      check(std::stoi(row.at(column)) == found, row.at("file"),
+            std::string(column) + " is " + row.at(column) + ", counted " + std::to_string(found));
     };
     expect("components", static_cast<int>(report["components"].size()));
     expect("genus_sum", genus);
@@ -136,12 +148,16 @@ void run_manifest(const fs::path& corpus, bool large)
 void run_generators(const fs::path& corpus)
 {
   const program::Workplace workplace;
-  for (const auto& row : read_manifest(corpus / "MANIFEST.csv")) { find_generators(workplace, corpus / row.at("file")); }
+  for (const auto& row : read_manifest(corpus / "MANIFEST.csv"))
+  {
+    find_generators(workplace, corpus / row.at("file"));
+  }
   if (fs::exists(corpus / "xl"))
     for (const auto& entry : fs::directory_iterator(corpus / "xl")) { find_generators(workplace, entry.path()); }
 }
 
-// Every field, preference, level, method and tightening: verified, or refused for one of the reasons that the manual gives.
+// Every field, preference, level, method and tightening: verified, or refused for one of the reasons that the manual
+// gives.
 void run_choices(const fs::path& corpus, bool all)
 {
   const program::Workplace workplace;
@@ -150,12 +166,26 @@ void run_choices(const fs::path& corpus, bool all)
   {
     if (!all && std::stoi(row.at("F")) > small_mesh) { continue; }
     const fs::path mesh = corpus / row.at("file");
-    for (const std::string option :
-         {"--field eigenfunction", "--field eigenfunction --weights intrinsic-delaunay --eigenfunction 1", "--field distance", "--weights intrinsic-delaunay",
-          "--weights cotangent --extrema curved", "--weights mean-value", "--prefer mean-curvature --levels tight", "--prefer length", "--prefer hidden --direction 1 2 3",
-          "--prefer position --direction 0 1 0 --tighten no", "--tighten graph", "--on-edges", "--on-edges --refine-where-needed", "--on-edges --tighten graph",
-          "--method geodesic --links plane", "--method generators --tighten graph", "--method morse", "--method tree-cotree", "--method geometry-image",
-          "--bifurcations --levels tight"})
+    for (const std::string option : {"--field eigenfunction",
+                                     "--field eigenfunction --weights intrinsic-delaunay --eigenfunction 1",
+                                     "--field distance",
+                                     "--weights intrinsic-delaunay",
+                                     "--weights cotangent --extrema curved",
+                                     "--weights mean-value",
+                                     "--prefer mean-curvature --levels tight",
+                                     "--prefer length",
+                                     "--prefer hidden --direction 1 2 3",
+                                     "--prefer position --direction 0 1 0 --tighten no",
+                                     "--tighten graph",
+                                     "--on-edges",
+                                     "--on-edges --refine-where-needed",
+                                     "--on-edges --tighten graph",
+                                     "--method geodesic --links plane",
+                                     "--method generators --tighten graph",
+                                     "--method morse",
+                                     "--method tree-cotree",
+                                     "--method geometry-image",
+                                     "--bifurcations --levels tight"})
     {
       const std::string name = mesh.filename().string() + " " + option;
       const auto r = workplace.meridian("cut " + quoted(mesh) + " -o out.ply " + option);
@@ -167,21 +197,26 @@ void run_choices(const fs::path& corpus, bool all)
       }
       else
       {
-        check(r.status == 1 && option == "--on-edges" && r.error.find("too coarse") != std::string::npos, name, "exit status " + std::to_string(r.status) + ": " + r.error);
+        check(r.status == 1 && option == "--on-edges" && r.error.find("too coarse") != std::string::npos, name,
+              "exit status " + std::to_string(r.status) + ": " + r.error);
         ++refused[option];
       }
       workplace.shell("rm -f out.ply out.map.json");
     }
     std::cout << row.at("file") << '\n' << std::flush;
   }
-  for (const auto& [option, count] : refused) { std::cout << option << ": " << count << " meshes refused as too coarse\n"; }
+  for (const auto& [option, count] : refused)
+  {
+    std::cout << option << ": " << count << " meshes refused as too coarse\n";
+  }
 }
 
 // Texture coordinates: verified, without flipped faces, and one-to-one.
 void run_unwrap(const fs::path& corpus, bool all)
 {
   const program::Workplace workplace;
-  std::cout << "| mesh | faces | genus | loops | charts | method | L2 stretch | Linf stretch | angle | area | seconds |\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+  std::cout << "| mesh | faces | genus | loops | charts | method | L2 stretch | Linf stretch | angle | area | seconds "
+               "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& row : read_manifest(corpus / "MANIFEST.csv"))
   {
     if (std::stoi(row.at("F")) > (all ? middle_mesh : small_mesh)) { continue; }
@@ -210,11 +245,15 @@ void run_unwrap(const fs::path& corpus, bool all)
       worst = std::max(worst, p["stretch_linf"].get<double>());
       seconds += c["seconds"]["parameterize"].get<double>();
     }
-    std::cout << "| " << row.at("file").substr(0, row.at("file").find('.')) << " | " << row.at("F") << " | " << row.at("genus_sum") << " | " << row.at("loops_sum") << " | "
-              << report["components"].size() << " |";
-    for (const auto& [method, count] : methods) { std::cout << ' ' << method << (methods.size() > 1 ? " (" + std::to_string(count) + ")" : ""); }
+    std::cout << "| " << row.at("file").substr(0, row.at("file").find('.')) << " | " << row.at("F") << " | "
+              << row.at("genus_sum") << " | " << row.at("loops_sum") << " | " << report["components"].size() << " |";
+    for (const auto& [method, count] : methods)
+    {
+      std::cout << ' ' << method << (methods.size() > 1 ? " (" + std::to_string(count) + ")" : "");
+    }
     std::cout << std::flush;
-    std::printf(" | %.3f | %.4g | %.1f | %.2f | %.1f |\n", std::sqrt(sum[0] / faces), worst, sum[1] / faces, sum[2] / faces, seconds);
+    std::printf(" | %.3f | %.4g | %.1f | %.2f | %.1f |\n", std::sqrt(sum[0] / faces), worst, sum[1] / faces,
+                sum[2] / faces, seconds);
     std::fflush(stdout);
     workplace.shell("rm -f out.obj out.map.json report.json");
     ++passed;
@@ -224,7 +263,10 @@ void run_unwrap(const fs::path& corpus, bool all)
 void run_bad(const fs::path& corpus)
 {
   std::vector<fs::path> meshes;
-  for (const auto& entry : fs::directory_iterator(corpus / "bad")) { if (entry.path().extension() != ".csv") { meshes.push_back(entry.path()); } }
+  for (const auto& entry : fs::directory_iterator(corpus / "bad"))
+  {
+    if (entry.path().extension() != ".csv") { meshes.push_back(entry.path()); }
+  }
   std::sort(meshes.begin(), meshes.end());
   check(!meshes.empty(), "bad", "no meshes");
   for (const fs::path& mesh : meshes)

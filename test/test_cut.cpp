@@ -32,7 +32,8 @@ double total_turning(const Disc_cut& cut, const std::vector<Index>& curve)
 
 // The genus of what is left, and the number of its pieces, when faces are not walked across crossed edges: counted by
 // inserting the loops and flooding, with nothing of the selection.
-std::pair<int, int> recount(const Triangle_surface& root, const Ordered_surface& m, const std::vector<const Contour*>& loops)
+std::pair<int, int> recount(const Triangle_surface& root, const Ordered_surface& m,
+                            const std::vector<const Contour*>& loops)
 {
   Refined_surface s(root);
   insert_curves(root, s, project_contours(root, m, loops));
@@ -51,7 +52,11 @@ std::pair<int, int> recount(const Triangle_surface& root, const Ordered_surface&
       const Index g = stack.back();
       stack.pop_back();
       for (Index h = 3 * g; h < 3 * g + 3; ++h)
-        if (o.opposite[h] >= 0 && !seen[o.opposite[h] / 3]) { seen[o.opposite[h] / 3] = 1; stack.push_back(o.opposite[h] / 3); }
+        if (o.opposite[h] >= 0 && !seen[o.opposite[h] / 3])
+        {
+          seen[o.opposite[h] / 3] = 1;
+          stack.push_back(o.opposite[h] / 3);
+        }
     }
   }
   const int genus = (2 * pieces - sample::euler_characteristic(o) - static_cast<int>(boundary_loops(o).size())) / 2;
@@ -80,8 +85,8 @@ BOOST_DATA_TEST_CASE(contours_are_closed_and_simple_with_the_higher_side_on_thei
         const Index h = c.halfedges[i], next = c.halfedges[(i + 1) % c.halfedges.size()];
         BOOST_REQUIRE(rises_through(m, h, level));
         BOOST_REQUIRE(m.surface.face(m.surface.opposite[h]) == m.surface.face(next)); // goes on where it came
-        // The higher end of the edge is on the left of the direction of travel: it is the target of h, which has the face
-        // that the curve comes from on its left.
+        // The higher end of the edge is on the left of the direction of travel: it is the target of h, which has the
+        // face that the curve comes from on its left.
         BOOST_REQUIRE(m.rank[m.surface.target(h)] > level);
       }
     }
@@ -102,7 +107,10 @@ BOOST_AUTO_TEST_CASE(the_contours_of_height_on_a_sphere_go_round_counterclockwis
   BOOST_REQUIRE(contours.size() == 1u);
   double area = 0; // of the projection, counterclockwise positive
   std::vector<Point> p;
-  for (Index h : contours.front().halfedges) { p.push_back(m.surface.point_on(h, crossing_fraction(m, h, contours.front().level))); }
+  for (Index h : contours.front().halfedges)
+  {
+    p.push_back(m.surface.point_on(h, crossing_fraction(m, h, contours.front().level)));
+  }
   for (std::size_t i = 0; i < p.size(); ++i)
   {
     const Point &a = p[i], &b = p[(i + 1) % p.size()];
@@ -119,7 +127,10 @@ BOOST_DATA_TEST_CASE(union_find_and_greedy_search_choose_the_same_loops, data::x
   Triangle_surface s = sample::noisy(sample::plate(genus, 2), 0.2, seed);
   if (seed % 3 == 0) { s = sample::punctured(s, {static_cast<Index>(random() % s.number_of_vertices())}); }
   std::vector<double> f;
-  for (const Point& p : s.points) { f.push_back(p[0] + 0.7 * p[1] + static_cast<double>(random() % 1000) / (seed % 2 ? 2000. : 400.)); }
+  for (const Point& p : s.points)
+  {
+    f.push_back(p[0] + 0.7 * p[1] + static_cast<double>(random() % 1000) / (seed % 2 ? 2000. : 400.));
+  }
   const auto m = pipeline::order(s, f, seed % 5 != 0);
   const auto loops = trace_saddle_loops(m);
   std::vector<std::size_t> order(loops.size());
@@ -246,7 +257,11 @@ BOOST_AUTO_TEST_CASE(every_option_gives_a_disc)
     return result.cuts.front();
   };
   Cut_options o;
-  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT}) { o.weights = w; check(o); }
+  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT})
+  {
+    o.weights = w;
+    check(o);
+  }
   o = Cut_options();
   for (const Preference& p : {Preference(preference::gaussian_curvature), Preference(preference::mean_curvature),
                               Preference(preference::short_length), preference::position({1, 0, 0}),
@@ -275,8 +290,9 @@ BOOST_AUTO_TEST_CASE(every_option_gives_a_disc)
 // Known answers: what the plane can and cannot do.
 BOOST_DATA_TEST_CASE(links_through_the_plane_give_a_disc, data::xrange(4), genus)
 {
-  for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.05, 2), sample::punctured(sample::plate(genus, 4), {40}),
-                        sample::punctured(sample::torus(30, 20), {5, 100, 200, 300, 420})})
+  for (const auto& s :
+       {sample::noisy(sample::plate(genus, 4), 0.05, 2), sample::punctured(sample::plate(genus, 4), {40}),
+        sample::punctured(sample::torus(30, 20), {5, 100, 200, 300, 420})})
   {
     Cut_options o;
     o.link_domain = Link_domain::PLANE;
@@ -298,7 +314,10 @@ BOOST_AUTO_TEST_CASE(a_plane_that_underflows_is_left_for_the_surface)
   Triangle_surface tube;
   constexpr int ring = 8, rings = 160;
   for (int i = 0; i < rings; ++i)
-    for (int j = 0; j < ring; ++j) { tube.points.push_back({0.7 * i, std::cos(2 * sample::pi * j / ring), std::sin(2 * sample::pi * j / ring)}); }
+    for (int j = 0; j < ring; ++j)
+    {
+      tube.points.push_back({0.7 * i, std::cos(2 * sample::pi * j / ring), std::sin(2 * sample::pi * j / ring)});
+    }
   for (int i = 0; i + 1 < rings; ++i)
     for (int j = 0; j < ring; ++j)
     {
@@ -326,7 +345,10 @@ BOOST_AUTO_TEST_CASE(a_source_on_a_sphere_is_reached_from_everywhere)
       const auto run = pipeline::run(sample::soup(sample::noisy(sample::sphere(levels), 0.1, 4)), false, o);
       for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
       bool passes = false;
-      for (const auto& link : run.cuts.front().links) { passes = passes || std::count(link.begin(), link.end(), v) > 0; }
+      for (const auto& link : run.cuts.front().links)
+      {
+        passes = passes || std::count(link.begin(), link.end(), v) > 0;
+      }
       BOOST_TEST(passes);
     }
 }
@@ -338,14 +360,16 @@ BOOST_AUTO_TEST_CASE(extrema_on_one_boundary_loop_are_refused)
   Cut_options o;
   o.minima = {s.source(loop[0])};
   o.maxima = {s.source(loop[2])};
-  BOOST_CHECK_EXCEPTION(pipeline::cut(s, o), Invalid_input_error,
-                        [](const auto& e) { return std::string(e.what()).find("one boundary loop") != std::string::npos; });
+  BOOST_CHECK_EXCEPTION(pipeline::cut(s, o), Invalid_input_error, [](const auto& e) {
+    return std::string(e.what()).find("one boundary loop") != std::string::npos;
+  });
 }
 
 // Metamorphic relations: the cut does not depend on numbers, unit or side.
 BOOST_DATA_TEST_CASE(renumbering_scaling_and_mirroring_keep_the_cut, data::xrange(3), genus)
 {
-  for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.1, 11), sample::punctured(sample::noisy(sample::plate(genus, 4), 0.1, 12), {40})})
+  for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.1, 11),
+                        sample::punctured(sample::noisy(sample::plate(genus, 4), 0.1, 12), {40})})
   {
     const auto cut = pipeline::cut(s);
     const auto same = [&](const Triangle_surface& other, double scale) {
@@ -378,7 +402,8 @@ BOOST_AUTO_TEST_CASE(the_same_input_gives_the_same_bytes)
   BOOST_TEST((a.surface.points == b.surface.points));
 }
 
-// A handle at the end of a tube 60 radii long, both extrema at the other end: its meridian is as smooth as the other one.
+// A handle at the end of a tube 60 radii long, both extrema at the other end: its meridian is as smooth as the other
+// one.
 BOOST_DATA_TEST_CASE(a_handle_behind_a_long_tube_is_cut_smoothly, data::make({20., 60., 150.}), tube)
 {
   const auto s = sample::dumbbell(tube);
@@ -436,7 +461,8 @@ BOOST_AUTO_TEST_CASE(slivers_are_avoided)
 // Tightening keeps the class of every meridian: how often it crosses the loops of a basis of homology.
 BOOST_DATA_TEST_CASE(tightened_meridians_keep_their_class, data::xrange(1, 7), genus)
 {
-  for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.15, genus), sample::punctured(sample::plate(genus, 4), {30, 90})})
+  for (const auto& s :
+       {sample::noisy(sample::plate(genus, 4), 0.15, genus), sample::punctured(sample::plate(genus, 4), {30, 90})})
   {
     std::vector<double> height;
     for (const Point& p : s.points) { height.push_back(p[0] + 0.3 * p[1]); }

@@ -7,9 +7,9 @@
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
+#include <meridian/curves/snap_to_edges.h>
 #include <meridian/cut/edge_cuts_near.h>
 #include <meridian/cut/link_on_edges.h>
-#include <meridian/curves/snap_to_edges.h>
 
 #include <set>
 
@@ -40,7 +40,11 @@ void check_is_disc(const Triangle_surface& root, const std::vector<Index>& edges
   check_is_disc(root, refined);
   // Nothing dangles, but the two ends of a path over a sphere.
   std::map<Index, int> degree;
-  for (Index h : edges) { ++degree[root.source(h)]; ++degree[root.target(h)]; }
+  for (Index h : edges)
+  {
+    ++degree[root.source(h)];
+    ++degree[root.target(h)];
+  }
   int dangling = 0;
   for (const auto& [v, count] : degree) { dangling += count == 1 && !root.is_boundary_vertex(v); }
   const bool is_sphere = sample::euler_characteristic(root) == 2;
@@ -65,15 +69,24 @@ std::vector<Index> scattered(const Triangle_surface& s, std::size_t wanted, unsi
     const Index v = static_cast<Index>(random() % s.number_of_vertices());
     std::set<Index> around{v};
     for (int rings = 0; rings < 2; ++rings)
-      for (Index u : std::set<Index>(around)) { s.for_each_outgoing(u, [&](Index h) { around.insert(s.target(h)); }); }
-    if (std::any_of(around.begin(), around.end(), [&](Index u) { return taken[u] || s.is_boundary_vertex(u); })) { continue; }
+      for (Index u : std::set<Index>(around))
+      {
+        s.for_each_outgoing(u, [&](Index h) { around.insert(s.target(h)); });
+      }
+    if (std::any_of(around.begin(), around.end(), [&](Index u) { return taken[u] || s.is_boundary_vertex(u); }))
+    {
+      continue;
+    }
     for (Index u : around) { taken[u] = 1; }
     chosen.push_back(v);
   }
   return chosen;
 }
 
-Triangle_surface with_holes(const Triangle_surface& s, std::size_t holes, unsigned seed) { return sample::punctured(s, scattered(s, holes, seed)); }
+Triangle_surface with_holes(const Triangle_surface& s, std::size_t holes, unsigned seed)
+{
+  return sample::punctured(s, scattered(s, holes, seed));
+}
 
 Triangle_surface tetrahedron()
 {
@@ -105,17 +118,22 @@ std::vector<Triangle_surface> all_surfaces()
   triangle.triangles = {{0, 1, 2}};
   const auto coarse = sample::torus(4, 4);
   std::vector<Triangle_surface> all{
-    tetrahedron(), sample::connected(pillow), sample::connected(triangle), moebius_torus(), sample::sphere(0), sample::sphere(3),
-    with_holes(sample::sphere(2), 1, 1), with_holes(sample::sphere(3), 12, 2), annulus(9, 7), annulus(3, 3), coarse, sample::torus(3, 3),
+    tetrahedron(), sample::connected(pillow), sample::connected(triangle), moebius_torus(), sample::sphere(0),
+    sample::sphere(3), with_holes(sample::sphere(2), 1, 1), with_holes(sample::sphere(3), 12, 2), annulus(9, 7),
+    annulus(3, 3), coarse, sample::torus(3, 3),
     sample::without(sample::torus(3, 3), [](Index f) { return f == 4; }), // all vertices on one boundary loop,
-    sample::without(coarse, [](Index f) { return f / 2 / 4 != 0 && f / 2 % 4 != 0; }), // or on that of two bands that cross
-    sample::torus(30, 12), sample::noisy(sample::torus(30, 12), 0.3, 5), sample::bitorus(24), sample::three_rings(28), sample::teapot(24),
+    // or on that of two bands that cross
+    sample::without(coarse, [](Index f) { return f / 2 / 4 != 0 && f / 2 % 4 != 0; }), sample::torus(30, 12),
+    sample::noisy(sample::torus(30, 12), 0.3, 5), sample::bitorus(24), sample::three_rings(28), sample::teapot(24),
     sample::dumbbell(8, 24)};
   for (int genus = 0; genus < 5; ++genus)
   {
     all.push_back(sample::plate(genus, 1));
     all.push_back(sample::noisy(sample::plate(genus, 3), 0.1, genus));
-    for (std::size_t holes : {1u, 2u, 5u}) { all.push_back(with_holes(sample::noisy(sample::plate(genus, 4), 0.05, genus), holes, genus)); }
+    for (std::size_t holes : {1u, 2u, 5u})
+    {
+      all.push_back(with_holes(sample::noisy(sample::plate(genus, 4), 0.05, genus), holes, genus));
+    }
   }
   const std::size_t n = all.size();
   for (std::size_t i = 0; i < n; ++i) { all.push_back(sample::renumbered(all[i], static_cast<unsigned>(i))); }
@@ -150,8 +168,14 @@ std::pair<int, int> recount(const Triangle_surface& root, const std::vector<Surf
   const Triangle_surface o = surface_of(s, open_along(s));
   std::vector<Index> piece(o.number_of_faces());
   std::iota(piece.begin(), piece.end(), Index(0));
-  const auto find = [&](Index f) { while (piece[f] != f) { f = piece[f] = piece[piece[f]]; } return f; };
-  for (Index h = 0; h < o.number_of_halfedges(); ++h) { if (o.opposite[h] >= 0) { piece[find(o.face(h))] = find(o.face(o.opposite[h])); } }
+  const auto find = [&](Index f) {
+    while (piece[f] != f) { f = piece[f] = piece[piece[f]]; }
+    return f;
+  };
+  for (Index h = 0; h < o.number_of_halfedges(); ++h)
+  {
+    if (o.opposite[h] >= 0) { piece[find(o.face(h))] = find(o.face(o.opposite[h])); }
+  }
   int pieces = 0;
   for (Index f = 0; f < o.number_of_faces(); ++f) { pieces += piece[f] == f; }
   return {(2 * pieces - sample::euler_characteristic(o) - number_of_loops(o)) / 2, pieces};
@@ -160,7 +184,10 @@ std::pair<int, int> recount(const Triangle_surface& root, const std::vector<Surf
 std::size_t crossings_left(const std::vector<Surface_curve>& curves)
 {
   std::size_t count = 0;
-  for (const auto& c : curves) { count += std::count_if(c.points.begin(), c.points.end(), [](const Curve_point& p) { return !p.is_vertex(); }); }
+  for (const auto& c : curves)
+  {
+    count += std::count_if(c.points.begin(), c.points.end(), [](const Curve_point& p) { return !p.is_vertex(); });
+  }
   return count;
 }
 
@@ -212,7 +239,10 @@ std::set<Index> ring(int m, int i)
 BOOST_AUTO_TEST_CASE(loops_at_a_base_point_open_every_surface_to_a_disc)
 {
   for (const Triangle_surface& s : surfaces())
-    for (Index base : {Index(0), s.number_of_vertices() / 2, s.number_of_vertices() - 1}) { check_is_disc(s, cut_by_tree_cotree(s, base)); }
+    for (Index base : {Index(0), s.number_of_vertices() / 2, s.number_of_vertices() - 1})
+    {
+      check_is_disc(s, cut_by_tree_cotree(s, base));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(several_base_points_give_a_disc_and_are_never_worse_than_one)
@@ -237,14 +267,18 @@ BOOST_AUTO_TEST_CASE(removing_faces_opens_every_surface_to_a_disc)
 {
   for (const Triangle_surface& s : surfaces())
     for (Index seed : {Index(-1), Index(0), s.number_of_faces() - 1})
-      for (Path_ends ends : {Path_ends::FIXED, Path_ends::SLIDE}) { check_is_disc(s, cut_by_removing_faces(s, seed, ends)); }
+      for (Path_ends ends : {Path_ends::FIXED, Path_ends::SLIDE})
+      {
+        check_is_disc(s, cut_by_removing_faces(s, seed, ends));
+      }
 }
 
 BOOST_AUTO_TEST_CASE(straightening_keeps_a_cut_graph_and_never_lengthens_it)
 {
   double fixed = 0, sliding = 0, before = 0;
   for (const Triangle_surface& s : surfaces())
-    for (const auto& cut : {cut_by_removing_faces(s, 0, Path_ends::FIXED, 0), cut_by_tree_cotree(s, s.number_of_vertices() / 2)})
+    for (const auto& cut :
+         {cut_by_removing_faces(s, 0, Path_ends::FIXED, 0), cut_by_tree_cotree(s, s.number_of_vertices() / 2)})
     {
       const double length = length_of_edges(s, cut);
       before += length;
@@ -262,7 +296,8 @@ BOOST_AUTO_TEST_CASE(straightening_keeps_a_cut_graph_and_never_lengthens_it)
         (ends == Path_ends::FIXED ? fixed : sliding) += last;
       }
     }
-  BOOST_TEST_MESSAGE("lengths together: " << before << ", straightened between nodes " << fixed << ", between any places " << sliding);
+  BOOST_TEST_MESSAGE("lengths together: " << before << ", straightened between nodes " << fixed
+                                          << ", between any places " << sliding);
   BOOST_TEST(fixed < 0.95 * before);
   BOOST_TEST(sliding < 0.95 * fixed);
 }
@@ -286,7 +321,11 @@ BOOST_AUTO_TEST_CASE(of_all_base_points_of_a_torus_the_best_is_on_the_inner_circ
   BOOST_TEST(length_of_edges(s, best) == least);
   BOOST_TEST(best.size() == static_cast<std::size_t>(n + m));
   std::map<Index, int> degree;
-  for (Index h : best) { ++degree[s.source(h)]; ++degree[s.target(h)]; }
+  for (Index h : best)
+  {
+    ++degree[s.source(h)];
+    ++degree[s.target(h)];
+  }
   BOOST_TEST(std::count_if(degree.begin(), degree.end(), [](const auto& d) { return d.second == 4; }) == 1);
   BOOST_TEST(degree.size() == static_cast<std::size_t>(n + m - 1)); // all others are passed once
 }
@@ -351,7 +390,8 @@ BOOST_AUTO_TEST_CASE(edges_near_a_smooth_cut_open_every_surface_to_a_disc)
 
 BOOST_DATA_TEST_CASE(edges_near_a_smooth_cut_are_near_it, data::xrange(4), seed)
 {
-  for (const auto& s : {sample::noisy(sample::torus(60, 24), 0.05, seed), sample::noisy(sample::sphere(4), 0.01, seed), sample::teapot(40 + seed)})
+  for (const auto& s : {sample::noisy(sample::torus(60, 24), 0.05, seed), sample::noisy(sample::sphere(4), 0.01, seed),
+                        sample::teapot(40 + seed)})
   {
     const Disc_cut cut = pipeline::cut(s);
     double longest = 0;
@@ -369,7 +409,10 @@ BOOST_DATA_TEST_CASE(edges_near_a_smooth_cut_are_near_it, data::xrange(4), seed)
     {
       double nearest = std::numeric_limits<double>::infinity();
       for (Index h = 0; h < cut.surface.number_of_halfedges(); ++h)
-        if (cut.surface.seam[h]) { nearest = std::min(nearest, distance(s.points[s.source(e)], cut.surface.points[cut.surface.source(h)])); }
+        if (cut.surface.seam[h])
+        {
+          nearest = std::min(nearest, distance(s.points[s.source(e)], cut.surface.points[cut.surface.source(h)]));
+        }
       farthest = std::max(farthest, nearest);
     }
     BOOST_TEST(farthest < 1.01 * longest);
@@ -381,7 +424,10 @@ BOOST_AUTO_TEST_CASE(links_of_edges_leave_a_disc_of_genus_0)
 {
   std::vector<Triangle_surface> all{tetrahedron(), sample::sphere(0), sample::sphere(2), annulus(3, 3)};
   for (unsigned seed = 0; seed < 8; ++seed)
-    for (std::size_t holes : {2u, 6u, 30u}) { all.push_back(with_holes(sample::noisy(sample::sphere(seed % 2 ? 3 : 4), 0.02, seed), holes, seed)); }
+    for (std::size_t holes : {2u, 6u, 30u})
+    {
+      all.push_back(with_holes(sample::noisy(sample::sphere(seed % 2 ? 3 : 4), 0.02, seed), holes, seed));
+    }
   for (const auto& s : all)
     for (Index source : {Index(-1), Index(0), s.number_of_vertices() - 1})
     {
@@ -393,7 +439,8 @@ BOOST_AUTO_TEST_CASE(links_of_edges_leave_a_disc_of_genus_0)
       for (const auto& link : links) { passes = passes || std::count(link.begin(), link.end(), source) > 0; }
       BOOST_TEST(passes);
       if (source >= 0) { continue; }
-      // No longer than a minimum spanning tree of the boundaries, whose distances go along edges and never along a boundary.
+      // No longer than a minimum spanning tree of the boundaries, whose distances go along edges and never along a
+      // boundary.
       const Closed_model g = make_closed_model(s);
       const Index loops = g.number_of_nodes - g.first_loop_node;
       if (loops < 2) { continue; }
@@ -421,13 +468,17 @@ BOOST_AUTO_TEST_CASE(links_of_edges_leave_a_disc_of_genus_0)
     }
 }
 
-// Known answer: two loops are joined by a straight link, the third by one from the middle of that, which is shorter than one from a loop.
+// Known answer: two loops are joined by a straight link, the third by one from the middle of that, which is shorter
+// than one from a loop.
 BOOST_AUTO_TEST_CASE(links_begin_on_earlier_links)
 {
   const auto whole = sample::skin({20, 24, 1}, [](int, int, int) { return true; });
   std::vector<Index> centers;
   for (Index v = 0; v < whole.number_of_vertices(); ++v)
-    for (const Point& p : {Point{3, 8, 1}, Point{15, 8, 1}, Point{9, 19, 1}}) { if (whole.points[v] == p) { centers.push_back(v); } }
+    for (const Point& p : {Point{3, 8, 1}, Point{15, 8, 1}, Point{9, 19, 1}})
+    {
+      if (whole.points[v] == p) { centers.push_back(v); }
+    }
   const auto s = sample::punctured(whole, centers);
   Refined_surface linked(s);
   const auto links = link_boundaries_on_edges(linked);
@@ -482,8 +533,8 @@ BOOST_AUTO_TEST_CASE(three_curves_across_one_edge_are_refused_or_refined)
   for (double t : {0.25, 0.5, 0.75}) { curves.push_back(meridian_of_torus(s, n, m, 2, t)); }
   BOOST_CHECK_EXCEPTION(snap_to_edges(s, curves, false), Invalid_input_error, [](const auto& e) {
     const std::string text = e.what();
-    return text.find("curve 1 ") != std::string::npos && text.find("10 edges") != std::string::npos && text.find("10-16") != std::string::npos
-        && text.find("--refine-where-needed") != std::string::npos;
+    return text.find("curve 1 ") != std::string::npos && text.find("10 edges") != std::string::npos
+           && text.find("10-16") != std::string::npos && text.find("--refine-where-needed") != std::string::npos;
   });
   const auto refined = snap_to_edges(s, curves, true);
   BOOST_TEST((vertices_of(refined[0]) == ring(m, 2)));
@@ -520,7 +571,8 @@ BOOST_AUTO_TEST_CASE(curves_keep_off_the_boundary)
 // A curve passes twice by one vertex, on its two sides: it may not visit it twice.
 BOOST_AUTO_TEST_CASE(a_curve_that_meets_a_vertex_twice_stays_simple)
 {
-  // On a torus of three by three the circle of slope 1 and its neighbours fill the surface; every strip meets vertices again.
+  // On a torus of three by three the circle of slope 1 and its neighbours fill the surface; every strip meets vertices
+  // again.
   for (int n : {3, 4, 5})
     for (int m : {3, 4})
     {
@@ -577,7 +629,8 @@ BOOST_DATA_TEST_CASE(snapped_meridians_cut_the_same_handles, data::xrange(6), ge
     }
 }
 
-// All contours of saddles, separating ones too: what they leave, one by one and all together, is what their loops of edges leave.
+// All contours of saddles, separating ones too: what they leave, one by one and all together, is what their loops of
+// edges leave.
 BOOST_DATA_TEST_CASE(snapped_contours_leave_what_the_contours_leave, data::xrange(20), seed)
 {
   const auto s = sample::noisy(sample::plate(1 + seed % 3, 3), 0.2, seed);
@@ -590,8 +643,14 @@ BOOST_DATA_TEST_CASE(snapped_contours_leave_what_the_contours_leave, data::xrang
   for (const Contour& c : loops)
   {
     all.push_back(&c);
-    try { project_contours(s, m, all); }
-    catch (const Internal_error&) { all.pop_back(); } // can be pulled to a point on the root
+    try
+    {
+      project_contours(s, m, all);
+    }
+    catch (const Internal_error&)
+    {
+      all.pop_back();
+    } // can be pulled to a point on the root
   }
   const auto curves = project_contours(s, m, all);
   const auto snapped = snap_to_edges(s, curves, true);
@@ -606,7 +665,8 @@ BOOST_DATA_TEST_CASE(snapped_contours_leave_what_the_contours_leave, data::xrang
 
 BOOST_AUTO_TEST_CASE(a_thick_torus_is_cut_without_a_new_vertex)
 {
-  for (const auto& s : {sample::torus(60, 24), sample::noisy(sample::torus(40, 20), 0.05, 1), sample::three_rings(40), sample::teapot(40)})
+  for (const auto& s : {sample::torus(60, 24), sample::noisy(sample::torus(40, 20), 0.05, 1), sample::three_rings(40),
+                        sample::teapot(40)})
   {
     const auto curves = find_meridians(s, {1, 0.2, 0.1});
     const auto snapped = snap_to_edges(s, curves, false);
@@ -627,18 +687,23 @@ BOOST_AUTO_TEST_CASE(edge_cuts_are_the_same_each_time)
   BOOST_TEST((cut_by_removing_faces(s) == cut_by_removing_faces(s)));
   const auto scaled = sample::scaled(s, 1e6);
   BOOST_TEST((find_short_tree_cotree_cut(s, 8) == find_short_tree_cotree_cut(sample::scaled(s, 0x1p-20), 8)));
-  BOOST_TEST(length_of_edges(scaled, cut_by_removing_faces(scaled)) == 1e6 * length_of_edges(s, cut_by_removing_faces(s)), boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(length_of_edges(scaled, cut_by_removing_faces(scaled))
+               == 1e6 * length_of_edges(s, cut_by_removing_faces(s)),
+             boost::test_tools::tolerance(1e-6));
 }
 
 BOOST_AUTO_TEST_CASE(what_does_not_exist_is_refused_by_name)
 {
   const auto s = sample::torus(4, 4);
-  const auto names = [](const char* what) { return [=](const auto& e) { return std::string(e.what()).find(what) != std::string::npos; }; };
+  const auto names = [](const char* what) {
+    return [=](const auto& e) { return std::string(e.what()).find(what) != std::string::npos; };
+  };
   BOOST_CHECK_EXCEPTION(cut_by_tree_cotree(s, 16), Invalid_input_error, names("vertex 16"));
   BOOST_CHECK_EXCEPTION(cut_by_tree_cotree(s, -1), Invalid_input_error, names("vertex -1"));
   BOOST_CHECK_EXCEPTION(cut_by_removing_faces(s, 32), Invalid_input_error, names("face 32"));
   BOOST_CHECK_EXCEPTION(find_short_tree_cotree_cut(s, 0), Invalid_input_error, names("0 base points"));
-  BOOST_CHECK_EXCEPTION(snap_to_edges(s, {Surface_curve{{Curve_point::on_vertex(0)}, false}}, false), Invalid_input_error, names("curve 0"));
+  BOOST_CHECK_EXCEPTION(snap_to_edges(s, {Surface_curve{{Curve_point::on_vertex(0)}, false}}, false),
+                        Invalid_input_error, names("curve 0"));
   std::vector<Index> loop; // a meridian alone leaves an annulus
   for (Index j = 0; j < 4; ++j) { loop.push_back(s.edge(s.find_halfedge(j, (j + 1) % 4))); }
   BOOST_CHECK_EXCEPTION(straighten_edge_cut(s, loop), Invalid_input_error, names("no cut graph"));
@@ -651,9 +716,18 @@ BOOST_DATA_TEST_CASE(straightening_ends_for_any_edges, data::xrange(200), seed)
   std::mt19937 random(seed);
   const unsigned part = 1 + random() % 9;
   std::vector<char> flags(s.number_of_halfedges(), 0);
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { if (s.opposite[h] > h && random() % 10 < part) { flags[h] = flags[s.opposite[h]] = 1; } }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.opposite[h] > h && random() % 10 < part) { flags[h] = flags[s.opposite[h]] = 1; }
+  }
   if (seed % 3) { internal::prune(s, flags); }
   const auto edges = internal::flagged_edges(s, flags);
-  try { BOOST_TEST(length_of_edges(s, straighten_edge_cut(s, edges)) <= length_of_edges(s, edges)); }
-  catch (const Invalid_input_error& e) { BOOST_TEST(std::string(e.what()).find("no cut graph") != std::string::npos); }
+  try
+  {
+    BOOST_TEST(length_of_edges(s, straighten_edge_cut(s, edges)) <= length_of_edges(s, edges));
+  }
+  catch (const Invalid_input_error& e)
+  {
+    BOOST_TEST(std::string(e.what()).find("no cut graph") != std::string::npos);
+  }
 }

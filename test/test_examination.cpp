@@ -22,13 +22,20 @@ std::vector<std::array<double, 3>> some_points(int n)
 
 bool has_repair(const Examination& e, const std::string& text)
 {
-  return std::any_of(e.repairs.begin(), e.repairs.end(), [&](const auto& r) { return r.find(text) != std::string::npos; });
+  return std::any_of(e.repairs.begin(), e.repairs.end(),
+                     [&](const auto& r) { return r.find(text) != std::string::npos; });
 }
 
 template <class Call> std::string message_of(Call call)
 {
-  try { call(); }
-  catch (const Invalid_input_error& e) { return e.what(); }
+  try
+  {
+    call();
+  }
+  catch (const Invalid_input_error& e)
+  {
+    return e.what();
+  }
   return "";
 }
 
@@ -39,7 +46,10 @@ Polygon_soup joined(const Polygon_soup& a, const Polygon_soup& b)
   for (std::size_t i = 0; i < b.number_of_polygons(); ++i)
   {
     std::vector<Index> corners;
-    for (std::size_t k = 0; k < b.size(i); ++k) { corners.push_back(b.corner(i, k) + static_cast<Index>(a.points.size())); }
+    for (std::size_t k = 0; k < b.size(i); ++k)
+    {
+      corners.push_back(b.corner(i, k) + static_cast<Index>(a.points.size()));
+    }
     s.add_polygon(corners.data(), corners.size());
   }
   return s;
@@ -49,7 +59,8 @@ Polygon_soup joined(const Polygon_soup& a, const Polygon_soup& b)
 
 BOOST_AUTO_TEST_CASE(components_are_counted_and_ordered_by_their_first_face)
 {
-  const auto e = examine_surface(joined(sample::soup(sample::plate(2)), sample::soup(sample::punctured(sample::torus(9, 7), {3, 40}))));
+  const auto e = examine_surface(
+    joined(sample::soup(sample::plate(2)), sample::soup(sample::punctured(sample::torus(9, 7), {3, 40}))));
   BOOST_REQUIRE(e.components.size() == 2u);
   BOOST_TEST(e.components[0].genus() == 2);
   BOOST_TEST(e.components[0].boundary_loops == 0);
@@ -100,25 +111,29 @@ BOOST_AUTO_TEST_CASE(surfaces_that_are_not_orientable_are_refused_by_name)
       klein.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
       klein.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
     }
-  BOOST_TEST(message_of([&] { examine_surface(soup_of(some_points(n * m), klein)); }).find("not orientable") != std::string::npos);
+  BOOST_TEST(message_of([&] { examine_surface(soup_of(some_points(n * m), klein)); }).find("not orientable")
+             != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(a_pinched_vertex_splits_into_one_for_each_fan)
 {
   // Two tetrahedra that share a vertex.
-  const auto soup = soup_of(some_points(7), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {3, 5, 4}, {3, 4, 6}, {4, 5, 6}, {5, 3, 6}});
+  const auto soup =
+    soup_of(some_points(7), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {3, 5, 4}, {3, 4, 6}, {4, 5, 6}, {5, 3, 6}});
   const auto run = pipeline::run(soup);
   BOOST_TEST(run.examination.components.size() == 2u);
   BOOST_TEST(has_repair(run.examination, "1 vertices divided"));
   BOOST_TEST(run.verification.failures.size() == 0u);
   for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
-  BOOST_TEST(run.assembled.mesh.copy_of[7 + run.cuts[0].surface.origins.size() + run.cuts[1].surface.origins.size()] == 3);
+  BOOST_TEST(run.assembled.mesh.copy_of[7 + run.cuts[0].surface.origins.size() + run.cuts[1].surface.origins.size()]
+             == 3);
 }
 
 BOOST_AUTO_TEST_CASE(edges_with_three_faces_are_refused_and_split_on_demand)
 {
   // Two tetrahedra that share an edge.
-  const auto soup = soup_of(some_points(6), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {4, 0, 5}});
+  const auto soup =
+    soup_of(some_points(6), {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {4, 0, 5}});
   const std::string text = message_of([&] { examine_surface(soup); });
   BOOST_TEST(text.find("1 edges have three or more faces (first: 0-1)") != std::string::npos);
   BOOST_TEST(text.find("--repair") != std::string::npos);
@@ -135,7 +150,8 @@ BOOST_AUTO_TEST_CASE(edges_with_three_faces_are_refused_and_split_on_demand)
 BOOST_AUTO_TEST_CASE(sheets_of_an_edge_with_four_faces_may_be_divided_alike)
 {
   // Two quadrilaterals back to back: both fans have the diagonal 0-2, so it has four faces.
-  const auto run = pipeline::run(soup_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}, {3, 2, 1, 0}}), true);
+  const auto run =
+    pipeline::run(soup_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}, {3, 2, 1, 0}}), true);
   for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
 }
 
@@ -146,7 +162,9 @@ BOOST_AUTO_TEST_CASE(points_that_are_not_finite_are_refused_where_a_face_uses_th
   BOOST_TEST(has_repair(examine_surface(soup), "1 vertices kept that no face uses"));
   soup.points[3][1] = std::nan("");
   soup.points[5][2] = HUGE_VAL;
-  BOOST_TEST(message_of([&] { examine_surface(soup); }).find("2 vertices of faces have a coordinate that is not a finite number, or beyond 1e300 (first: 3, 5)")
+  BOOST_TEST(message_of([&] {
+               examine_surface(soup);
+             }).find("2 vertices of faces have a coordinate that is not a finite number, or beyond 1e300 (first: 3, 5)")
              != std::string::npos);
 }
 
@@ -163,7 +181,8 @@ BOOST_AUTO_TEST_CASE(damaged_and_degenerate_faces_follow_stated_policies)
   for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
   const Index outside[] = {0, 1, 5000};
   soup.add_polygon(outside, 3);
-  BOOST_TEST(message_of([&] { examine_surface(soup); }).find("1 faces name a vertex that the file does not have") != std::string::npos);
+  BOOST_TEST(message_of([&] { examine_surface(soup); }).find("1 faces name a vertex that the file does not have")
+             != std::string::npos);
   BOOST_TEST(message_of([&] { examine_surface(Polygon_soup()); }).find("no usable face") != std::string::npos);
 }
 

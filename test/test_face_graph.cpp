@@ -63,7 +63,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(generators_are_closed_paths_of_a_refined_mesh, Tri
   BOOST_TEST(g.pairs.size() == 2u);
   BOOST_TEST(curves.size() == 4u);
   for (const auto& path : curves)
-    for (std::size_t i = 0; i < path.size(); ++i) { BOOST_TEST(halfedge(path[i], path[(i + 1) % path.size()], refined).second); }
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+      BOOST_TEST(halfedge(path[i], path[(i + 1) % path.size()], refined).second);
+    }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(halfedges_receive_texture_coordinates, TriangleMesh, Mesh_types)
@@ -79,7 +82,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(halfedges_receive_texture_coordinates, TriangleMes
     const auto h = halfedge(f, tm);
     BOOST_TEST((CGAL::orientation(uv[h], uv[next(h, tm)], uv[prev(h, tm)]) == CGAL::LEFT_TURN));
   }
-  for (auto h : halfedges(tm)) { seams += uv[h] != uv[prev(opposite(h, tm), tm)] || uv[prev(h, tm)] != uv[opposite(h, tm)]; }
+  for (auto h : halfedges(tm))
+  {
+    seams += uv[h] != uv[prev(opposite(h, tm), tm)] || uv[prev(h, tm)] != uv[opposite(h, tm)];
+  }
   BOOST_TEST(seams == 2 * static_cast<int>(u.cut.opened.seams.size()));
   std::map<Halfedge, Kernel::Point_2> by_default;
   unwrap(tm, boost::make_assoc_property_map(by_default));
@@ -105,12 +111,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_field_lies_between_its_prescribed_values, Triang
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
   std::vector<Vertex> all(vertices(tm).begin(), vertices(tm).end());
   std::map<Vertex, double> values;
-  solve_harmonic_field(tm, std::vector<Vertex>{all[0]}, std::vector<Vertex>{all[100]}, boost::make_assoc_property_map(values));
+  solve_harmonic_field(tm, std::vector<Vertex>{all[0]}, std::vector<Vertex>{all[100]},
+                       boost::make_assoc_property_map(values));
   BOOST_TEST(values.size() == all.size());
   BOOST_TEST(values[all[0]] == 0);
   BOOST_TEST(values[all[100]] == 1);
   for (const auto& [v, x] : values) { BOOST_REQUIRE((x >= 0 && x <= 1)); }
-  BOOST_CHECK_THROW(solve_harmonic_field(tm, std::vector<Vertex>{}, std::vector<Vertex>{all[1]}, boost::make_assoc_property_map(values)), Invalid_input_error);
+  BOOST_CHECK_THROW(solve_harmonic_field(tm, std::vector<Vertex>{}, std::vector<Vertex>{all[1]},
+                                         boost::make_assoc_property_map(values)),
+                    Invalid_input_error);
 }
 
 // Known answer: contours of the height of a torus on edge are two level circles around its tube, one on each side.
@@ -128,8 +137,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(maps_give_fields_and_weights, TriangleMesh, Mesh_t
       weight[v] = sign * get(CGAL::vertex_point, tm, v)[1];
     }
     TriangleMesh disc;
-    const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options).field_map(boost::make_assoc_property_map(height))
-                                             .vertex_weight_map(boost::make_assoc_property_map(weight)));
+    const auto cut = cut_to_disc(tm, disc,
+                                 parameters::cut_options(options)
+                                   .field_map(boost::make_assoc_property_map(height))
+                                   .vertex_weight_map(boost::make_assoc_property_map(weight)));
     for (Index v : cut.meridians.front())
     {
       BOOST_TEST(std::abs(cut.surface.points[v][0] - cut.surface.points[cut.meridians.front().front()][0]) < 0.2);
@@ -142,7 +153,11 @@ BOOST_AUTO_TEST_CASE(quadrilaterals_are_refused_by_name)
 {
   Mesh tm;
   std::vector<Mesh::Vertex_index> v;
-  for (const Point& p : {Point{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}) { v.push_back(tm.add_vertex({p[0], p[1], p[2]})); }
+  for (const Point& p : {Point{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})
+  {
+    v.push_back(tm.add_vertex({p[0], p[1], p[2]}));
+  }
   tm.add_face(v);
-  BOOST_CHECK_EXCEPTION(make_triangle_surface(tm), Invalid_input_error, [](const auto& e) { return std::string(e.what()).find("face 0 has 4 corners") == 0; });
+  BOOST_CHECK_EXCEPTION(make_triangle_surface(tm), Invalid_input_error,
+                        [](const auto& e) { return std::string(e.what()).find("face 0 has 4 corners") == 0; });
 }

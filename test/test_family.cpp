@@ -4,8 +4,8 @@
 
 #include "instances.h"
 
-#include <meridian/unwrap/cut_family.h>
 #include <meridian/surface/visibility.h>
+#include <meridian/unwrap/cut_family.h>
 
 namespace data = boost::unit_test::data;
 using namespace meridian;
@@ -43,7 +43,11 @@ BOOST_DATA_TEST_CASE(any_field_gives_a_disc, data::xrange(1, 4) * data::xrange(6
   {
     Cut_options o;
     std::mt19937 random(which);
-    const auto noise = [&] { std::vector<double> x; for (Index v = 0; v < s.number_of_vertices(); ++v) { x.push_back(random() % 50); } return x; };
+    const auto noise = [&] {
+      std::vector<double> x;
+      for (Index v = 0; v < s.number_of_vertices(); ++v) { x.push_back(random() % 50); }
+      return x;
+    };
     switch (which)
     {
     case 0: o.values = height(s, 0); break;
@@ -190,12 +194,22 @@ BOOST_AUTO_TEST_CASE(meridians_keep_to_low_weights)
 {
   const auto s = sample::noisy(sample::plate(4, 4), 0.05, 8);
   Index low = 0;
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { if (s.points[v][0] < s.points[low][0]) { low = v; } }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    if (s.points[v][0] < s.points[low][0]) { low = v; }
+  }
   std::vector<double> weight;
   for (const Point& p : s.points) { weight.push_back(p[1]); }
   const auto mean = [&](const Disc_cut& cut) {
     double sum = 0, n = 0;
-    for (const auto& m : cut.meridians) { for (Index v : m) { sum += cut.surface.points[v][1]; ++n; } }
+    for (const auto& m : cut.meridians)
+    {
+      for (Index v : m)
+      {
+        sum += cut.surface.points[v][1];
+        ++n;
+      }
+    }
     return sum / n;
   };
   Cut_options o;
@@ -209,7 +223,10 @@ BOOST_AUTO_TEST_CASE(meridians_keep_to_low_weights)
   // The average along a loop of a constant is that constant.
   const auto m = pipeline::order(s, height(s, 0), true);
   const std::vector<double> ones(s.number_of_vertices(), 2.5);
-  for (const Contour& loop : trace_saddle_loops(m)) { BOOST_TEST(std::abs(internal::average_along(s, m, loop, ones) - 2.5) < 1e-12); }
+  for (const Contour& loop : trace_saddle_loops(m))
+  {
+    BOOST_TEST(std::abs(internal::average_along(s, m, loop, ones) - 2.5) < 1e-12);
+  }
   const auto x = height(s, 0); // of the field itself, its level
   for (const Contour& loop : trace_saddle_loops(m))
   {
@@ -218,7 +235,8 @@ BOOST_AUTO_TEST_CASE(meridians_keep_to_low_weights)
   }
 }
 
-// Known answer: of a sphere one half is seen; of a torus on edge the inside of the far rim is hidden behind the near one.
+// Known answer: of a sphere one half is seen; of a torus on edge the inside of the far rim is hidden behind the near
+// one.
 BOOST_AUTO_TEST_CASE(what_an_eye_sees)
 {
   const auto ball = sample::sphere(4);
@@ -231,7 +249,8 @@ BOOST_AUTO_TEST_CASE(what_an_eye_sees)
   {
     const Point& p = ring.points[v];
     if (p[0] > 3.6) { BOOST_TEST(from_side[v] == 1); } // the near outside
-    if (p[0] < -1.9 && p[0] > -2.6 && std::abs(p[1]) < 1 && std::abs(p[2]) < 0.7) { BOOST_TEST(from_side[v] == 0); } // behind the near rim
+    // behind the near rim
+    if (p[0] < -1.9 && p[0] > -2.6 && std::abs(p[1]) < 1 && std::abs(p[2]) < 0.7) { BOOST_TEST(from_side[v] == 0); }
   }
   BOOST_CHECK_THROW(visibility(ball, {0, 0, 0}), Invalid_input_error);
 }
@@ -266,7 +285,10 @@ BOOST_AUTO_TEST_CASE(loops_of_edges_need_room)
   {
     Cut_options e;
     e.on_edges = true;
-    try { check_cut(surface, e); }
+    try
+    {
+      check_cut(surface, e);
+    }
     catch (const Invalid_input_error& error)
     {
       ++refused;

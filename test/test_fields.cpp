@@ -86,7 +86,10 @@ Triangle_surface sheared_grid(int n)
 }
 
 // Solvers that break in two ways.
-struct Failing_solver : Symmetric_solver_traits { bool linear_solver(const Vector&, Vector&) { return false; } };
+struct Failing_solver : Symmetric_solver_traits
+{
+  bool linear_solver(const Vector&, Vector&) { return false; }
+};
 struct Wrong_solver : Symmetric_solver_traits
 {
   bool linear_solver(const Vector&, Vector& x)
@@ -121,16 +124,24 @@ std::vector<double> exact_distance(const Triangle_surface& s, Index source)
   CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> paths(mesh);
   paths.add_source_point(Vertex(source));
   std::vector<double> d;
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { d.push_back(paths.shortest_distance_to_source_points(Vertex(v)).first); }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    d.push_back(paths.shortest_distance_to_source_points(Vertex(v)).first);
+  }
   return d;
 }
 
 // CGAL's Heat_method_3.
-struct Heat_solver : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>> { using Index = int; };
+struct Heat_solver : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>
+{
+  using Index = int;
+};
 std::vector<double> cgal_distance(const Triangle_surface& s, Index source)
 {
   Mesh mesh = mesh_of(s);
-  CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, CGAL::Heat_method_3::Intrinsic_Delaunay, CGAL::Default, Heat_solver> heat(mesh);
+  CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, CGAL::Heat_method_3::Intrinsic_Delaunay, CGAL::Default,
+                                                         Heat_solver>
+    heat(mesh);
   heat.add_source(Vertex(source));
   auto map = mesh.add_property_map<Vertex, double>("v:distance", 0).first;
   heat.estimate_geodesic_distances(map);
@@ -142,7 +153,10 @@ std::vector<double> cgal_distance(const Triangle_surface& s, Index source)
 double mean_relative_error(const std::vector<double>& d, const std::vector<double>& expected)
 {
   double sum = 0;
-  for (std::size_t i = 0; i < d.size(); ++i) { if (expected[i] > 0) { sum += std::abs(d[i] - expected[i]) / expected[i]; } }
+  for (std::size_t i = 0; i < d.size(); ++i)
+  {
+    if (expected[i] > 0) { sum += std::abs(d[i] - expected[i]) / expected[i]; }
+  }
   return sum / static_cast<double>(d.size());
 }
 
@@ -187,9 +201,14 @@ BOOST_AUTO_TEST_CASE(eigenvalues_of_the_flat_torus)
 // Theorem: eigenfunctions are orthogonal, and L x = lambda M x.
 BOOST_DATA_TEST_CASE(eigenfunctions_are_orthonormal_solutions, data::xrange(8), which)
 {
-  const Triangle_surface s = which == 0 ? sample::sphere(0) : which == 1 ? sample::sphere(1) : which == 2 ? sample::torus(40, 20)
-                           : which == 3 ? sample::plate(2) : which == 4 ? potato() : which == 5 ? sample::dumbbell(60)
-                           : which == 6 ? sample::punctured(sample::torus(30, 18), {5, 200, 400}) : sample::torus(800, 8, 300);
+  const Triangle_surface s = which == 0   ? sample::sphere(0)
+                             : which == 1 ? sample::sphere(1)
+                             : which == 2 ? sample::torus(40, 20)
+                             : which == 3 ? sample::plate(2)
+                             : which == 4 ? potato()
+                             : which == 5 ? sample::dumbbell(60)
+                             : which == 6 ? sample::punctured(sample::torus(30, 18), {5, 200, 400})
+                                          : sample::torus(800, 8, 300);
   const auto g = make_closed_model(s);
   const int k = std::min(9, g.number_of_nodes - 1);
   const auto mass = node_areas(s, g);
@@ -201,13 +220,19 @@ BOOST_DATA_TEST_CASE(eigenfunctions_are_orthonormal_solutions, data::xrange(8), 
     BOOST_REQUIRE(e.functions.size() == e.values.size());
     for (int i = 0; i <= k; ++i)
     {
-      for (int j = 0; j <= i; ++j) { BOOST_TEST(std::abs(product(mass, e.functions[i], e.functions[j]) - (i == j)) < 1e-12); }
+      for (int j = 0; j <= i; ++j)
+      {
+        BOOST_TEST(std::abs(product(mass, e.functions[i], e.functions[j]) - (i == j)) < 1e-12);
+      }
       BOOST_TEST((i == 0 || e.values[i - 1] <= e.values[i]));
       double residual = 0;
       for (Index a = 0; a < g.number_of_nodes; ++a)
       {
         double r = -e.values[i] * mass[a] * e.functions[i][a];
-        for (Index j = g.begin[a]; j < g.begin[a + 1]; ++j) { r += weights[g.halfedge[j]] * (e.functions[i][a] - e.functions[i][g.neighbor[j]]); }
+        for (Index j = g.begin[a]; j < g.begin[a + 1]; ++j)
+        {
+          r += weights[g.halfedge[j]] * (e.functions[i][a] - e.functions[i][g.neighbor[j]]);
+        }
         residual += r * r / mass[a];
       }
       BOOST_TEST(std::sqrt(residual) <= 1e-6 * e.values[k]);
@@ -249,8 +274,12 @@ BOOST_DATA_TEST_CASE(units_do_not_matter, data::make({1e-40, 1e-3, 7., 1e40}), f
     const auto e = eigenfunctions(s, 6, kind), f = eigenfunctions(t, 6, kind);
     for (int i = 1; i <= 6; ++i)
     {
-      BOOST_TEST(f.values[i] * factor * factor * (kind == Weights::POSITIVE ? factor : 1) == e.values[i], tolerance(1e-9));
-      for (std::size_t v = 0; v < s.points.size(); ++v) { BOOST_REQUIRE(std::abs(f.functions[i][v] * factor - e.functions[i][v]) < 1e-6); }
+      BOOST_TEST(f.values[i] * factor * factor * (kind == Weights::POSITIVE ? factor : 1) == e.values[i],
+                 tolerance(1e-9));
+      for (std::size_t v = 0; v < s.points.size(); ++v)
+      {
+        BOOST_REQUIRE(std::abs(f.functions[i][v] * factor - e.functions[i][v]) < 1e-6);
+      }
     }
   }
   const auto d = geodesic_distance(s, {3}), b = geodesic_distance(t, {3});
@@ -289,7 +318,10 @@ BOOST_AUTO_TEST_CASE(areas_of_nodes_add_up)
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
     const auto& t = s.triangles[h / 3];
-    if (g.node[s.source(h)] == g.first_loop_node) { loop += norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 6; }
+    if (g.node[s.source(h)] == g.first_loop_node)
+    {
+      loop += norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 6;
+    }
   }
   BOOST_TEST(areas[g.first_loop_node] == loop, tolerance(1e-12));
   for (double a : node_areas(sample::scaled(s, 0), g)) { BOOST_REQUIRE(a > 0); }
@@ -333,7 +365,8 @@ BOOST_AUTO_TEST_CASE(curved_extrema_keep_off_loops_where_they_can)
   e.values = {0, 1};
   e.functions.resize(2);
   for (Index v : g.representative) { e.functions[1].push_back(s.points[v][0] * s.points[v][1]); }
-  for (Index n = g.first_loop_node; n < g.number_of_nodes; ++n) { e.functions[1][n] = n % 2 ? 9 : -9; } // beyond all others
+  // beyond all others
+  for (Index n = g.first_loop_node; n < g.number_of_nodes; ++n) { e.functions[1][n] = n % 2 ? 9 : -9; }
   const auto [i, j] = find_curved_extrema(s, g, e);
   BOOST_TEST((!g.is_loop(i) && !g.is_loop(j)));
   // A disc with one interior vertex has two nodes, both extrema.
@@ -376,8 +409,11 @@ BOOST_DATA_TEST_CASE(distance_on_the_sphere_is_that_along_great_circles, data::m
 // 5e-6 from CGAL's.
 BOOST_DATA_TEST_CASE(distance_agrees_with_shortest_paths, data::xrange(4), which)
 {
-  const Triangle_surface s = which == 0 ? sample::sphere(4) : which == 1 ? sample::noisy(sample::torus(60, 30), 0.05, 1)
-                           : which == 2 ? potato() : sample::punctured(sample::noisy(sample::torus(60, 30), 0.05, 1), {5, 800, 1200});
+  const Triangle_surface s = which == 0   ? sample::sphere(4)
+                             : which == 1 ? sample::noisy(sample::torus(60, 30), 0.05, 1)
+                             : which == 2
+                               ? potato()
+                               : sample::punctured(sample::noisy(sample::torus(60, 30), 0.05, 1), {5, 800, 1200});
   const Index source = 17;
   const auto d = geodesic_distance(s, {source}), exact = exact_distance(s, source), cgal = cgal_distance(s, source);
   BOOST_TEST(mean_relative_error(d, exact) < 0.04);
@@ -406,7 +442,10 @@ BOOST_AUTO_TEST_CASE(distance_is_finite_on_long_surfaces_and_faces_without_area)
     for (int axes : {1, 2, 3})
     {
       auto s = sample::torus(40, 24);
-      for (Point& p : s.points) { for (int k = 0; k < axes; ++k) { p[2 - k] *= amount; } }
+      for (Point& p : s.points)
+      {
+        for (int k = 0; k < axes; ++k) { p[2 - k] *= amount; }
+      }
       const auto x = geodesic_distance(s, {0});
       for (Index v = 0; v < s.number_of_vertices(); ++v)
       {
@@ -420,19 +459,26 @@ BOOST_AUTO_TEST_CASE(distance_is_finite_on_long_surfaces_and_faces_without_area)
       for (int i = 0; i <= 4; ++i)
       {
         BOOST_REQUIRE((std::isfinite(e.values[i]) && e.values[i] >= 0));
-        for (int j = 0; j <= i; ++j) { BOOST_TEST(std::abs(product(mass, e.functions[i], e.functions[j]) - (i == j)) < 1e-12); }
+        for (int j = 0; j <= i; ++j)
+        {
+          BOOST_TEST(std::abs(product(mass, e.functions[i], e.functions[j]) - (i == j)) < 1e-12);
+        }
       }
     }
 }
 
-// Theorem: flips keep the surface: its area, the angle around every vertex, and the edges' number; in the end the angles
-// across from no edge add up to more than pi.
+// Theorem: flips keep the surface: its area, the angle around every vertex, and the edges' number; in the end the
+// angles across from no edge add up to more than pi.
 BOOST_DATA_TEST_CASE(flips_keep_the_surface_and_end_delaunay, data::xrange(7), which)
 {
-  const Triangle_surface s = which == 0 ? sample::noisy(sample::plate(2, 4), 0.1, 1) : which == 1 ? sample::noisy(sample::sphere(4), 0.03, 2)
-                           : which == 2 ? thin_sphere(100, 10) : which == 3 ? sample::noisy(sample::torus(60, 7), 0.2, 3)
-                           : which == 4 ? sheared_grid(8) : which == 5 ? sample::plate(2, 4)
-                                        : sample::punctured(sample::noisy(sample::torus(60, 9), 0.1, 4), {5, 200, 400});
+  const Triangle_surface s = which == 0   ? sample::noisy(sample::plate(2, 4), 0.1, 1)
+                             : which == 1 ? sample::noisy(sample::sphere(4), 0.03, 2)
+                             : which == 2 ? thin_sphere(100, 10)
+                             : which == 3 ? sample::noisy(sample::torus(60, 7), 0.2, 3)
+                             : which == 4 ? sheared_grid(8)
+                             : which == 5
+                               ? sample::plate(2, 4)
+                               : sample::punctured(sample::noisy(sample::torus(60, 9), 0.1, 4), {5, 200, 400});
   const auto t = make_intrinsic_delaunay(s);
   BOOST_TEST(intrinsic_area(t) == area(s), tolerance(1e-5));
   std::vector<double> angle(s.number_of_vertices(), 0), expected = angle;
@@ -466,8 +512,10 @@ BOOST_DATA_TEST_CASE(flips_keep_the_surface_and_end_delaunay, data::xrange(7), w
     {
       const Index h = w.graph.halfedge[i];
       BOOST_REQUIRE(w.weights[h] > 0);
-      BOOST_REQUIRE((w.weights[h] <= w.weights[t.opposite[h]] && w.weights[h] >= w.weights[t.opposite[h]])); // symmetric
-      BOOST_REQUIRE((g.node[t.source[h]] == a && w.graph.neighbor[i] == g.node[t.target(h)] && w.graph.neighbor[i] != a));
+      // symmetric
+      BOOST_REQUIRE((w.weights[h] <= w.weights[t.opposite[h]] && w.weights[h] >= w.weights[t.opposite[h]]));
+      BOOST_REQUIRE(
+        (g.node[t.source[h]] == a && w.graph.neighbor[i] == g.node[t.target(h)] && w.graph.neighbor[i] != a));
     }
   }
 }
@@ -488,12 +536,15 @@ BOOST_AUTO_TEST_CASE(diagonals_of_a_sheared_grid_are_turned)
   BOOST_TEST(turned == 2 * n * n);
 }
 
-// Maximum principle on thin faces: cotangent weights of the surface break it, those of the intrinsic triangulation do not.
+// Maximum principle on thin faces: cotangent weights of the surface break it, those of the intrinsic triangulation do
+// not.
 BOOST_DATA_TEST_CASE(intrinsic_weights_leave_no_other_extrema, data::xrange(4), which)
 {
-  const Triangle_surface s = which == 0 ? thin_sphere(60, 6) : which == 1 ? sample::noisy(sample::torus(240, 8), 0.1, 1)
-                           : which == 3 ? sample::noisy(sample::dumbbell(60), 0.25, 1) // with flat regions
-                                        : sample::punctured(sample::noisy(sample::torus(240, 12), 0.1, 2), {5, 300, 700});
+  const Triangle_surface s = which == 0   ? thin_sphere(60, 6)
+                             : which == 1 ? sample::noisy(sample::torus(240, 8), 0.1, 1)
+                             : which == 3
+                               ? sample::noisy(sample::dumbbell(60), 0.25, 1) // with flat regions
+                               : sample::punctured(sample::noisy(sample::torus(240, 12), 0.1, 2), {5, 300, 700});
   const auto g = make_closed_model(s);
   const Index low = which == 3 ? 400 : 3, high = which == 3 ? 500 : g.number_of_nodes - 5;
   const auto extrema = [&](const Closed_model& joined, const Scalar_field& field) {
@@ -515,7 +566,10 @@ BOOST_DATA_TEST_CASE(intrinsic_weights_leave_no_other_extrema, data::xrange(4), 
   const auto w = make_intrinsic_delaunay_graph(s);
   BOOST_TEST(extrema(w.graph, solve_harmonic_field(s, g, w.graph, w.weights, {{low, 0}, {high, 1}})) == 2);
   const auto on_mesh = edge_weights(s, Weights::COTANGENT);
-  if (which == 1 || which == 2) { BOOST_TEST(extrema(g, solve_harmonic_field(s, g, on_mesh, {{low, 0}, {high, 1}})) > 2); }
+  if (which == 1 || which == 2)
+  {
+    BOOST_TEST(extrema(g, solve_harmonic_field(s, g, on_mesh, {{low, 0}, {high, 1}})) > 2);
+  }
 }
 
 // A solver's graph of its own changes nothing if it is the surface's.

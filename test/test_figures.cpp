@@ -45,7 +45,8 @@ BOOST_AUTO_TEST_CASE(figure_11_a_tiny_handle_is_found_however_the_surface_is_sam
   const Triangle_surface s = sample::bitorus_with_tiny_handle(72);
   double edge = 0;
   for (Index h = 0; h < s.number_of_halfedges(); ++h) { edge += s.length(h) / s.number_of_halfedges(); }
-  for (const Triangle_surface& t : {s, sample::subdivided(s), sample::noisy(s, 0.1 * edge, 3), sample::renumbered(s, 3), sample::bitorus_with_tiny_handle(72, true)})
+  for (const Triangle_surface& t : {s, sample::subdivided(s), sample::noisy(s, 0.1 * edge, 3), sample::renumbered(s, 3),
+                                    sample::bitorus_with_tiny_handle(72, true)})
   {
     const Generators g = check(t, 3, 0);
     BOOST_TEST(shortest_pair(g) < 1.);
@@ -64,10 +65,12 @@ BOOST_AUTO_TEST_CASE(figure_12_a_pot_with_a_handle_and_two_openings)
 {
   const Generators open = check(sample::teapot(40), 1, 2), closed = check(sample::teapot(40, false), 1, 0);
   BOOST_TEST(open.counts.saddles == 2);
-  BOOST_TEST(open.pairs.front().meridian.length == closed.pairs.front().meridian.length, boost::test_tools::tolerance(0.1));
+  BOOST_TEST(open.pairs.front().meridian.length == closed.pairs.front().meridian.length,
+             boost::test_tools::tolerance(0.1));
   Generator_options options;
   options.is_open = true;
-  BOOST_TEST(verify_generators(sample::teapot(40), pipeline::generators(sample::teapot(40), options)).failures.size() == 0u);
+  BOOST_TEST(verify_generators(sample::teapot(40), pipeline::generators(sample::teapot(40), options)).failures.size()
+             == 0u);
   // A field with many extrema on the boundary, as one without conditions there has: contours still cut the handle.
   const Triangle_surface s = sample::teapot(40);
   std::vector<double> height;
@@ -85,5 +88,8 @@ BOOST_AUTO_TEST_CASE(figures_13_to_15_three_rings)
 {
   const Generators g = check(sample::three_rings(40), 3, 0);
   BOOST_TEST(g.counts.saddles == 6);
-  for (const auto& pair : g.pairs) { BOOST_TEST(pair.meridian.length == 2 * sample::pi * 0.28, boost::test_tools::tolerance(0.1)); }
+  for (const auto& pair : g.pairs)
+  {
+    BOOST_TEST(pair.meridian.length == 2 * sample::pi * 0.28, boost::test_tools::tolerance(0.1));
+  }
 }

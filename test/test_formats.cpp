@@ -34,11 +34,20 @@ struct Folder
     std::ofstream(path / name, std::ios::binary) << bytes;
     return (path / name).string();
   }
-  Polygon_soup read(const std::string& name, const std::string& bytes) const { return files::read_mesh(write(name, bytes)); }
+  Polygon_soup read(const std::string& name, const std::string& bytes) const
+  {
+    return files::read_mesh(write(name, bytes));
+  }
   std::string message(const std::string& name, const std::string& bytes) const
   {
-    try { read(name, bytes); }
-    catch (const files::File_error& e) { return e.what(); }
+    try
+    {
+      read(name, bytes);
+    }
+    catch (const files::File_error& e)
+    {
+      return e.what();
+    }
     return "";
   }
 };
@@ -64,26 +73,31 @@ template <class Number> void append(std::string& bytes, Number x, bool swapped =
 
 BOOST_FIXTURE_TEST_CASE(off_is_read_with_comments_colours_and_counts_on_any_line, Folder)
 {
-  const auto s = read("a.off", "COFF # a comment\n\n# another\n4 1 0\n0 0 0 255 0 0 1\n1e0 0 0\n1 +1 0\n0 1 -0.5\n4 0 1 2 3 0.5 0.5 0.5\n");
+  const auto s =
+    read("a.off",
+         "COFF # a comment\n\n# another\n4 1 0\n0 0 0 255 0 0 1\n1e0 0 0\n1 +1 0\n0 1 -0.5\n4 0 1 2 3 0.5 0.5 0.5\n");
   BOOST_TEST(s.points.size() == 4u);
   BOOST_TEST(s.points[3][2] == -0.5);
   BOOST_TEST(polygon(s, 0) == (std::vector<Index>{0, 1, 2, 3}), boost::test_tools::per_element());
-  const auto tiny = read("c.off", "OFF\n3 1 0\n1e-400 -1e-400 0\n0." + std::string(400, '0') + "1 1 0\n0 1 0\n3 0 1 2\n");
+  const auto tiny =
+    read("c.off", "OFF\n3 1 0\n1e-400 -1e-400 0\n0." + std::string(400, '0') + "1 1 0\n0 1 0\n3 0 1 2\n");
   BOOST_TEST((tiny.points[0][0] == 0 && tiny.points[1][0] == 0));
   BOOST_TEST(read("b.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2").number_of_polygons() == 1u);
 }
 
 BOOST_FIXTURE_TEST_CASE(obj_is_read_with_slashes_negative_indices_and_joined_lines, Folder)
 {
-  const auto s = read("a.obj", "o x\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\nv 0 1 0\nf -4 -2 \\\n -1\nl 1 2\n");
+  const auto s = read(
+    "a.obj", "o x\nv 0 0 0\nv 1 0 0 1\nv 1 1 0\nvt 0 0\nvn 0 0 1\nf 1/1/1 2//1 3/1\nv 0 1 0\nf -4 -2 \\\n -1\nl 1 2\n");
   BOOST_TEST(polygon(s, 0) == (std::vector<Index>{0, 1, 2}), boost::test_tools::per_element());
   BOOST_TEST(polygon(s, 1) == (std::vector<Index>{0, 2, 3}), boost::test_tools::per_element());
 }
 
 BOOST_FIXTURE_TEST_CASE(equal_points_are_welded_in_stl_and_nowhere_else, Folder)
 {
-  const std::string text = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
-                           "facet normal 0 0 1\nouter loop\nvertex 1 0 -0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
+  const std::string text =
+    "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+    "facet normal 0 0 1\nouter loop\nvertex 1 0 -0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n";
   const auto s = read("a.stl", text);
   BOOST_TEST(s.points.size() == 4u);
   BOOST_TEST(polygon(s, 1) == (std::vector<Index>{1, 3, 2}), boost::test_tools::per_element());
@@ -106,10 +120,13 @@ BOOST_FIXTURE_TEST_CASE(equal_points_are_welded_in_stl_and_nowhere_else, Folder)
 BOOST_FIXTURE_TEST_CASE(ply_is_read_as_text_and_in_both_byte_orders_with_triangle_strips, Folder)
 {
   const auto header = [](const std::string& encoding, const std::string& faces) {
-    return "ply\nformat " + encoding + " 1.0\ncomment x\nelement vertex 4\nproperty float x\nproperty double y\nproperty short z\nproperty uchar red\n"
+    return "ply\nformat " + encoding
+           + " 1.0\ncomment x\nelement vertex 4\nproperty float x\nproperty double y\nproperty short z\nproperty uchar "
+             "red\n"
            + faces + "end_header\n";
   };
-  const std::string face = "element face 1\nproperty list uchar int vertex_indices\n", strip = "element tristrips 1\nproperty list int int vertex_indices\n";
+  const std::string face = "element face 1\nproperty list uchar int vertex_indices\n",
+                    strip = "element tristrips 1\nproperty list int int vertex_indices\n";
   const auto text = read("a.ply", header("ascii", face) + "0 0 0 9\n1 0 0 9\n1 1 0 9\n0.5 1 2 9\n3 0 1 2\n");
   BOOST_TEST(text.points[3][2] == 2);
   BOOST_TEST(text.number_of_polygons() == 1u);
@@ -139,7 +156,9 @@ BOOST_FIXTURE_TEST_CASE(vtp_is_read_in_all_its_encodings, Folder)
 {
   std::vector<double> xyz{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.25};
   std::vector<std::int32_t> corners{0, 1, 2, 0, 2, 3}, ends{3, 6};
-  const auto raw = [](const auto& values) { return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]); };
+  const auto raw = [](const auto& values) {
+    return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
+  };
   const auto base64 = [](const std::string& bytes) {
     static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
@@ -154,20 +173,34 @@ BOOST_FIXTURE_TEST_CASE(vtp_is_read_in_all_its_encodings, Folder)
     }
     return text;
   };
-  const auto sized = [](const std::string& bytes) { std::string s; append(s, static_cast<std::uint32_t>(bytes.size())); return s + bytes; };
+  const auto sized = [](const std::string& bytes) {
+    std::string s;
+    append(s, static_cast<std::uint32_t>(bytes.size()));
+    return s + bytes;
+  };
   const auto packed = [](const std::string& bytes, std::string& head) {
     uLongf size = compressBound(bytes.size());
     std::string out(size, '\0');
     compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
     out.resize(size);
-    for (std::uint32_t x : {1u, static_cast<unsigned>(bytes.size()), 0u, static_cast<unsigned>(size)}) { append(head, x); }
+    for (std::uint32_t x : {1u, static_cast<unsigned>(bytes.size()), 0u, static_cast<unsigned>(size)})
+    {
+      append(head, x);
+    }
     return out;
   };
-  const auto file = [](const std::string& root, const std::vector<std::string>& arrays, const std::vector<std::string>& contents, const std::string& appended) {
-    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" " + root + ">\n<PolyData><Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\"><Points>"
-           "<DataArray type=\"Float64\" NumberOfComponents=\"3\" " + arrays[0] + ">" + contents[0] + "</DataArray></Points><Polys>"
-           "<DataArray type=\"Int32\" Name=\"connectivity\" " + arrays[1] + ">" + contents[1] + "</DataArray>"
-           "<DataArray type=\"Int32\" Name=\"offsets\" " + arrays[2] + ">" + contents[2] + "</DataArray></Polys></Piece></PolyData>" + appended + "</VTKFile>\n";
+  const auto file = [](const std::string& root, const std::vector<std::string>& arrays,
+                       const std::vector<std::string>& contents, const std::string& appended) {
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" " + root
+           + ">\n<PolyData><Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\"><Points>"
+             "<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+           + arrays[0] + ">" + contents[0]
+           + "</DataArray></Points><Polys>"
+             "<DataArray type=\"Int32\" Name=\"connectivity\" "
+           + arrays[1] + ">" + contents[1]
+           + "</DataArray>"
+             "<DataArray type=\"Int32\" Name=\"offsets\" "
+           + arrays[2] + ">" + contents[2] + "</DataArray></Polys></Piece></PolyData>" + appended + "</VTKFile>\n";
   };
   const auto check = [&](const std::string& bytes) {
     const auto s = read("a.vtp", bytes);
@@ -178,16 +211,19 @@ BOOST_FIXTURE_TEST_CASE(vtp_is_read_in_all_its_encodings, Folder)
   };
   const std::vector<std::string> text(3, "format=\"ascii\""), binary(3, "format=\"binary\"");
   check(file("", text, {"0 0 0 1 0 0 1 1 0\n0 1 .25", "0 1 2 0 2 3", "3 6"}, ""));
-  check(file("byte_order=\"LittleEndian\"", binary, {base64(sized(raw(xyz))), "\n " + base64(sized(raw(corners))) + "\n", base64(sized(raw(ends)))}, ""));
+  check(file("byte_order=\"LittleEndian\"", binary,
+             {base64(sized(raw(xyz))), "\n " + base64(sized(raw(corners))) + "\n", base64(sized(raw(ends)))}, ""));
   const auto encode = [&](const std::string& bytes) {
     std::string head;
     const std::string body = packed(bytes, head);
     return base64(head) + base64(body);
   };
-  check(file("compressor=\"vtkZLibDataCompressor\"", binary, {encode(raw(xyz)), encode(raw(corners)), encode(raw(ends))}, ""));
+  check(file("compressor=\"vtkZLibDataCompressor\"", binary,
+             {encode(raw(xyz)), encode(raw(corners)), encode(raw(ends))}, ""));
   const std::string a = sized(raw(xyz)), b = sized(raw(corners)), c = sized(raw(ends));
   const auto offset = [](std::size_t n) { return "format=\"appended\" offset=\"" + std::to_string(n) + "\""; };
-  check(file("", {offset(0), offset(a.size()), offset(a.size() + b.size())}, {"", "", ""}, "<AppendedData encoding=\"raw\">\n _" + a + b + c + "</AppendedData>"));
+  check(file("", {offset(0), offset(a.size()), offset(a.size() + b.size())}, {"", "", ""},
+             "<AppendedData encoding=\"raw\">\n _" + a + b + c + "</AppendedData>"));
   const std::string a64 = base64(a), b64 = base64(b), c64 = base64(c);
   check(file("", {offset(0), offset(a64.size()), offset(a64.size() + b64.size())}, {"", "", ""},
              "<AppendedData encoding=\"base64\">\n _" + a64 + b64 + c64 + "</AppendedData>"));
@@ -199,15 +235,22 @@ BOOST_FIXTURE_TEST_CASE(broken_files_are_refused_with_the_place, Folder)
   BOOST_TEST(contains(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0"), "the file ends where a coordinate should be"));
   BOOST_TEST(contains(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 x\n"), "line 4: expected a coordinate, found 'x'"));
   BOOST_TEST(contains(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n"), "line 6"));
-  BOOST_TEST(contains(message("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n3 0 1 2\n"), "face 0 is said to have 4 corners"));
+  BOOST_TEST(contains(message("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n3 0 1 2\n"),
+                      "face 0 is said to have 4 corners"));
   BOOST_TEST(contains(message("a.off", "hello"), "does not begin with 'OFF'"));
   BOOST_TEST(contains(message("a.obj", "v 0 0\n"), "fewer than three coordinates"));
   BOOST_TEST(contains(message("a.obj", "# nothing\n"), "neither vertices nor faces"));
-  BOOST_TEST(contains(message("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"), "ends within a solid"));
+  BOOST_TEST(
+    contains(message("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"), "ends within a solid"));
   BOOST_TEST(contains(message("a.stl", std::string(100, 'x')), "neither text nor binary STL"));
-  BOOST_TEST(contains(message("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"), "no x, y and z"));
-  BOOST_TEST(contains(message("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n"), "points and no faces"));
-  BOOST_TEST(contains(message("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y\nproperty float z\nend_header\nabc"), "ends too early"));
+  BOOST_TEST(contains(message("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"),
+                      "no x, y and z"));
+  BOOST_TEST(contains(message("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                                       "y\nproperty float z\nend_header\n0 0 0\n"),
+                      "points and no faces"));
+  BOOST_TEST(contains(message("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float "
+                                       "x\nproperty float y\nproperty float z\nend_header\nabc"),
+                      "ends too early"));
   BOOST_TEST(contains(message("a.vtp", "<VTKFile type=\"PolyData\"><PolyData>"), "VTP"));
   BOOST_TEST(contains(message("a.xyz", "1 2 3"), "unknown format 'xyz'"));
   BOOST_CHECK_THROW(files::read_mesh((path / "missing.off").string()), files::File_error);
@@ -233,9 +276,11 @@ BOOST_FIXTURE_TEST_CASE(every_writable_format_reads_back_bit_for_bit, Folder)
     std::vector<Result_curve> fields;
     files::read_map((path / "a.map.json").string(), map, fields);
     BOOST_TEST((map.origin == mesh.origin));
-    BOOST_TEST((map.copy_of == mesh.copy_of && map.face_of == mesh.face_of && map.component_of == mesh.component_of && map.seams == mesh.seams));
+    BOOST_TEST((map.copy_of == mesh.copy_of && map.face_of == mesh.face_of && map.component_of == mesh.component_of
+                && map.seams == mesh.seams));
   }
-  BOOST_CHECK_EXCEPTION(files::check_writable_format("x.stl"), files::File_error, [](const auto& e) { return contains(e.what(), "STL cannot hold a cut"); });
+  BOOST_CHECK_EXCEPTION(files::check_writable_format("x.stl"), files::File_error,
+                        [](const auto& e) { return contains(e.what(), "STL cannot hold a cut"); });
 }
 
 BOOST_FIXTURE_TEST_CASE(files_that_are_not_committed_leave_nothing, Folder)

@@ -102,7 +102,8 @@ BOOST_AUTO_TEST_CASE(a_contractible_loop_is_caught)
   Grid g;
   g.curves[0].points = {Grid::at(0, 5, 3), Grid::at(0, 6, 3), Grid::at(0, 6, 4), Grid::at(0, 5, 3)};
   BOOST_TEST(g.is_caught("do not meet"));
-  g.curves[0].points = {Grid::at(0, 5, 0), Grid::at(0, 6, 1), Grid::at(0, 5, 1), Grid::at(0, 5, 0)}; // touches the longitude from its left
+  // touches the longitude from its left
+  g.curves[0].points = {Grid::at(0, 5, 0), Grid::at(0, 6, 1), Grid::at(0, 5, 1), Grid::at(0, 5, 0)};
   BOOST_TEST(g.is_caught("touch at vertex"));
 }
 
@@ -115,15 +116,19 @@ BOOST_AUTO_TEST_CASE(curves_of_two_handles_that_change_places_are_caught)
   BOOST_TEST(verify_generators(sample::plate(2, 3), pairs).failures.empty());
   std::swap(pairs.pairs[0].longitude.vertices, pairs.pairs[1].longitude.vertices);
   const auto found = verify_generators(sample::plate(2, 3), pairs).failures;
-  BOOST_TEST(std::any_of(found.begin(), found.end(), [](const auto& f) { return f.find("meridian_0 and longitude_0 do not meet") != std::string::npos; }));
-  BOOST_TEST(std::any_of(found.begin(), found.end(), [](const auto& f) { return f.find("cross, at 1 vertices") != std::string::npos; }));
+  BOOST_TEST(std::any_of(found.begin(), found.end(), [](const auto& f) {
+    return f.find("meridian_0 and longitude_0 do not meet") != std::string::npos;
+  }));
+  BOOST_TEST(std::any_of(found.begin(), found.end(),
+                         [](const auto& f) { return f.find("cross, at 1 vertices") != std::string::npos; }));
 }
 
 BOOST_AUTO_TEST_CASE(curves_that_cross_more_than_once_are_caught)
 {
   Grid g;
   g.curves[1].points.clear();
-  for (int k = 0; k <= 24; ++k) { g.curves[1].points.push_back(Grid::at(0, k, k / 12 * 4 + (k % 12 > 5 ? 0 : 0))); } // not a walk
+  // not a walk
+  for (int k = 0; k <= 24; ++k) { g.curves[1].points.push_back(Grid::at(0, k, k / 12 * 4 + (k % 12 > 5 ? 0 : 0))); }
   BOOST_TEST(g.is_caught("where the mesh has no edge"));
   // Along the tube, once around it on the way: still one crossing, and a basis.
   g.curves[1].points.clear();
@@ -192,10 +197,12 @@ BOOST_AUTO_TEST_CASE(boundary_loops_are_counted_and_belong_to_the_basis)
   BOOST_TEST(curves.back().name == "boundary_1");
   auto fewer = curves;
   fewer.pop_back();
-  BOOST_TEST(verify_generators(soup, assembled.mesh, fewer).failures.front().find("2 boundary loops, and 1 are listed") != std::string::npos);
+  BOOST_TEST(verify_generators(soup, assembled.mesh, fewer).failures.front().find("2 boundary loops, and 1 are listed")
+             != std::string::npos);
   auto inside = curves;
   inside.back().points = curves.front().points;
-  BOOST_TEST(verify_generators(soup, assembled.mesh, inside).failures.front().find("boundary_1 leaves the boundary") != std::string::npos);
+  BOOST_TEST(verify_generators(soup, assembled.mesh, inside).failures.front().find("boundary_1 leaves the boundary")
+             != std::string::npos);
   auto twice = curves;
   twice[3].points = curves[2].points;
   BOOST_TEST(!verify_generators(soup, assembled.mesh, twice).failures.empty());

@@ -1,9 +1,9 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include <meridian/cut/join_generators.h>
 #include <meridian/handles/internal/linking.h>
 #include <meridian/proof/internal/verify_basis.h>
-#include <meridian/cut/join_generators.h>
 
 #include <boost/test/data/test_case.hpp>
 
@@ -37,7 +37,10 @@ std::vector<std::vector<int>> classes(const Triangle_surface& s, const Generator
     for (const auto* c : {&pair.meridian, &pair.longitude})
     {
       std::map<Index, int> crossed;
-      for (Index h : internal::walk_on_root(s, g.surface, c->vertices)) { crossed[s.edge(h)] += s.edge(h) == h ? 1 : -1; }
+      for (Index h : internal::walk_on_root(s, g.surface, c->vertices))
+      {
+        crossed[s.edge(h)] += s.edge(h) == h ? 1 : -1;
+      }
       rows.push_back(trees.integrate(crossed));
     }
   return rows;
@@ -53,11 +56,13 @@ std::vector<std::pair<std::string, Triangle_surface>> surfaces()
     {"dumbbell", sample::dumbbell(12)},
     {"torus with two boundary loops", sample::punctured(sample::torus(20, 12), {30, 150})},
     {"plate with boundary loops", sample::punctured(sample::plate(2, 3), {10, 40, 90})},
-    {"torus with a large hole", sample::without(sample::torus(20, 12), [](Index f) { return f / 24 < 16 && f / 2 % 12 < 10; })},
+    {"torus with a large hole",
+     sample::without(sample::torus(20, 12), [](Index f) { return f / 24 < 16 && f / 2 % 12 < 10; })},
     {"lattice", sample::skin({5, 5, 5}, [](int i, int j, int k) { return (i % 2) + (j % 2) + (k % 2) < 2; })},
   };
   for (unsigned seed = 0; seed < 6; ++seed)
-    all.push_back({"noisy plate " + std::to_string(seed), sample::noisy(sample::renumbered(sample::plate(3, 2), seed), 0.4, seed)});
+    all.push_back(
+      {"noisy plate " + std::to_string(seed), sample::noisy(sample::renumbered(sample::plate(3, 2), seed), 0.4, seed)});
   return all;
 }
 
@@ -65,16 +70,15 @@ std::vector<std::pair<std::string, Triangle_surface>> surfaces()
 
 BOOST_AUTO_TEST_CASE(pairs_keep_the_contract_tightened_or_not_from_flow_lines_or_arcs)
 {
-  for (const auto& [name, s] : surfaces())
-    BOOST_TEST_CONTEXT(name)
-      for (bool tighten : {false, true})
-        for (bool flow : {false, true})
-        {
-          Generator_options options;
-          options.tighten = tighten;
-          options.flow = flow;
-          check(s, pipeline::generators(s, options));
-        }
+  for (const auto& [name, s] : surfaces()) BOOST_TEST_CONTEXT(name)
+  for (bool tighten : {false, true})
+    for (bool flow : {false, true})
+    {
+      Generator_options options;
+      options.tighten = tighten;
+      options.flow = flow;
+      check(s, pipeline::generators(s, options));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(a_surface_of_genus_0_has_no_pairs)
@@ -107,8 +111,10 @@ BOOST_AUTO_TEST_CASE(tightening_shortens_and_keeps_the_classes)
 BOOST_AUTO_TEST_CASE(on_a_torus_the_curves_come_close_to_the_shortest_ones)
 {
   const Generators g = pipeline::generators(sample::torus(120, 60));
-  BOOST_TEST(g.pairs.front().meridian.length == 2 * sample::pi, boost::test_tools::tolerance(0.02));      // around the tube
-  BOOST_TEST(g.pairs.front().longitude.length == 2 * 2 * sample::pi, boost::test_tools::tolerance(0.03)); // the inner circle
+  // around the tube
+  BOOST_TEST(g.pairs.front().meridian.length == 2 * sample::pi, boost::test_tools::tolerance(0.02));
+  // the inner circle
+  BOOST_TEST(g.pairs.front().longitude.length == 2 * 2 * sample::pi, boost::test_tools::tolerance(0.03));
   const Homology_basis b = pipeline::basis(sample::torus(120, 60));
   BOOST_TEST(b.loops.size() == 2u);
   BOOST_TEST(b.loops[0].length == 2 * sample::pi, boost::test_tools::tolerance(0.02));
@@ -124,35 +130,37 @@ BOOST_AUTO_TEST_CASE(scaling_mirroring_and_refining_change_lengths_as_they_shoul
   BOOST_TEST(total(pipeline::generators(sample::renumbered(s, 7))) == length, boost::test_tools::tolerance(0.1));
   BOOST_TEST(total(pipeline::generators(sample::subdivided(s))) == length, boost::test_tools::tolerance(0.1));
   const Generators one = pipeline::generators(s), two = pipeline::generators(s);
-  BOOST_TEST((one.pairs.front().longitude.vertices == two.pairs.front().longitude.vertices && one.surface.points == two.surface.points));
+  BOOST_TEST((one.pairs.front().longitude.vertices == two.pairs.front().longitude.vertices
+              && one.surface.points == two.surface.points));
 }
 
 BOOST_AUTO_TEST_CASE(short_bases_are_bases)
 {
-  for (const auto& [name, s] : surfaces())
-    BOOST_TEST_CONTEXT(name)
-      for (bool tighten : {false, true})
-      {
-        Basis_options options;
-        options.tighten = tighten;
-        const Homology_basis b = pipeline::basis(s, options);
-        const auto v = verify_generators(s, b);
-        for (const auto& failure : v.failures) { BOOST_TEST_MESSAGE(failure); }
-        BOOST_TEST(v.failures.size() == 0u);
-        BOOST_TEST(v.curves.front().is_basis);
-      }
+  for (const auto& [name, s] : surfaces()) BOOST_TEST_CONTEXT(name)
+  for (bool tighten : {false, true})
+  {
+    Basis_options options;
+    options.tighten = tighten;
+    const Homology_basis b = pipeline::basis(s, options);
+    const auto v = verify_generators(s, b);
+    for (const auto& failure : v.failures) { BOOST_TEST_MESSAGE(failure); }
+    BOOST_TEST(v.failures.size() == 0u);
+    BOOST_TEST(v.curves.front().is_basis);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(on_a_torus_the_meridian_is_a_handle_loop_and_the_longitude_a_tunnel_loop_however_it_lies)
 {
-  const auto expect = [](const Triangle_surface& s, Loop_class meridian, Loop_class longitude, const Generator_options& options = Generator_options()) {
+  const auto expect = [](const Triangle_surface& s, Loop_class meridian, Loop_class longitude,
+                         const Generator_options& options = Generator_options()) {
     const Generators g = pipeline::classified(s, options);
     BOOST_TEST(name_of(g.pairs.front().meridian.loop_class) == std::string(name_of(meridian)));
     BOOST_TEST(name_of(g.pairs.front().longitude.loop_class) == std::string(name_of(longitude)));
   };
   const Triangle_surface s = sample::torus(24, 12);
   expect(s, Loop_class::HANDLE, Loop_class::TUNNEL);
-  for (const auto& [a, b] : {std::pair{sample::pi / 2, 0.}, {0., sample::pi / 2}, {0.3, 1.1}, {2.2, -0.7}, {1e-9, 1e-9}})
+  for (const auto& [a, b] :
+       {std::pair{sample::pi / 2, 0.}, {0., sample::pi / 2}, {0.3, 1.1}, {2.2, -0.7}, {1e-9, 1e-9}})
     expect(sample::rotated(s, a, b), Loop_class::HANDLE, Loop_class::TUNNEL);
   expect(sample::mirrored(s), Loop_class::HANDLE, Loop_class::TUNNEL);
   Triangle_surface inwards = s; // the normals point to the bounded side
@@ -170,7 +178,10 @@ BOOST_AUTO_TEST_CASE(on_a_torus_the_meridian_is_a_handle_loop_and_the_longitude_
   expect(s, Loop_class::TUNNEL, Loop_class::HANDLE, options);
   // On a plate with holes every loop bounds on one side, or on none.
   const Generators many = pipeline::classified(sample::plate(4));
-  for (const auto& pair : many.pairs) { BOOST_TEST((pair.meridian.loop_class != Loop_class::UNKNOWN && pair.longitude.loop_class != Loop_class::UNKNOWN)); }
+  for (const auto& pair : many.pairs)
+  {
+    BOOST_TEST((pair.meridian.loop_class != Loop_class::UNKNOWN && pair.longitude.loop_class != Loop_class::UNKNOWN));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(on_a_knotted_tube_one_framing_bounds_outside)
@@ -220,15 +231,18 @@ BOOST_AUTO_TEST_CASE(flow_lines_come_to_critical_points_and_those_down_from_all_
 {
   for (unsigned seed = 0; seed < 12; ++seed)
   {
-    const Triangle_surface s = seed % 2 ? sample::noisy(sample::plate(3, 2), 0.3, seed) : sample::noisy(sample::torus(18, 11), 0.2, seed);
+    const Triangle_surface s =
+      seed % 2 ? sample::noisy(sample::plate(3, 2), 0.3, seed) : sample::noisy(sample::torus(18, 11), 0.2, seed);
     std::vector<double> field;
     std::mt19937 random(seed);
     for (Index v = 0; v < s.number_of_vertices(); ++v)
-      field.push_back(seed < 6 ? static_cast<double>(random()) : s.points[v][0] + 0.3 * s.points[v][1]); // noise, and slopes
+      // noise, and slopes
+      field.push_back(seed < 6 ? static_cast<double>(random()) : s.points[v][0] + 0.3 * s.points[v][1]);
     const Ordered_surface m = pipeline::order(s, field, seed % 3 == 0);
     const Morse_complex c = make_morse_complex(m);
     const Critical_counts counts = count(find_critical_points(m.surface, m.rank));
-    BOOST_TEST(boost::num_vertices(c.graph) == static_cast<std::size_t>(counts.minima + counts.maxima + counts.saddles));
+    BOOST_TEST(boost::num_vertices(c.graph)
+               == static_cast<std::size_t>(counts.minima + counts.maxima + counts.saddles));
     BOOST_TEST(boost::num_edges(c.graph) == static_cast<std::size_t>(4 * counts.saddles));
     std::vector<Surface_curve> down;
     for (const Flow_line& line : c.lines)
@@ -283,17 +297,16 @@ BOOST_AUTO_TEST_CASE(longitudes_of_flow_lines_are_monotone_in_the_field_they_nam
 
 BOOST_AUTO_TEST_CASE(cut_graphs_from_generators_and_flow_lines_leave_discs)
 {
-  for (const auto& [name, s] : surfaces())
-    BOOST_TEST_CONTEXT(name)
-      for (int k = 0; k < 4; ++k)
-      {
-        Cut_options options;
-        options.method = k == 3 ? Cut_method::MORSE : Cut_method::GENERATORS;
-        options.join = k == 1 ? Generator_join::COMPLEX : k == 2 ? Generator_join::SADDLES : Generator_join::SURFACE;
-        const auto v = verify_cut(s, pipeline::cut(s, options));
-        for (const auto& failure : v.failures) { BOOST_TEST_MESSAGE(failure); }
-        BOOST_TEST(v.failures.size() == 0u);
-      }
+  for (const auto& [name, s] : surfaces()) BOOST_TEST_CONTEXT(name)
+  for (int k = 0; k < 4; ++k)
+  {
+    Cut_options options;
+    options.method = k == 3 ? Cut_method::MORSE : Cut_method::GENERATORS;
+    options.join = k == 1 ? Generator_join::COMPLEX : k == 2 ? Generator_join::SADDLES : Generator_join::SURFACE;
+    const auto v = verify_cut(s, pipeline::cut(s, options));
+    for (const auto& failure : v.failures) { BOOST_TEST_MESSAGE(failure); }
+    BOOST_TEST(v.failures.size() == 0u);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(free_and_closed_boundaries_give_bases_of_the_same_group)
@@ -303,19 +316,19 @@ BOOST_AUTO_TEST_CASE(free_and_closed_boundaries_give_bases_of_the_same_group)
   {
     if (boundary_loops(s).empty()) { continue; }
     BOOST_TEST_CONTEXT(name)
-      for (bool tighten : {false, true})
-      {
-        Generator_options options;
-        options.tighten = tighten;
-        const Generators closed = pipeline::generators(s, options);
-        options.is_open = true;
-        const Generators open = pipeline::generators(s, options);
-        check(s, closed);
-        check(s, open);
-        BOOST_TEST(open.counts.saddles == 2 * open.genus);
-        arcs += open.arcs;
-        // Both were counted as bases, with all boundary loops but one, of the first homology of one surface.
-      }
+    for (bool tighten : {false, true})
+    {
+      Generator_options options;
+      options.tighten = tighten;
+      const Generators closed = pipeline::generators(s, options);
+      options.is_open = true;
+      const Generators open = pipeline::generators(s, options);
+      check(s, closed);
+      check(s, open);
+      BOOST_TEST(open.counts.saddles == 2 * open.genus);
+      arcs += open.arcs;
+      // Both were counted as bases, with all boundary loops but one, of the first homology of one surface.
+    }
   }
   BOOST_TEST(arcs > 0);
 }
@@ -328,7 +341,10 @@ BOOST_AUTO_TEST_CASE(determinants_are_those_of_the_integers)
     for (const auto& row : rows)
     {
       sparse.emplace_back();
-      for (std::size_t c = 0; c < row.size(); ++c) { if (row[c] != 0) { sparse.back()[static_cast<std::int32_t>(c)] = row[c]; } }
+      for (std::size_t c = 0; c < row.size(); ++c)
+      {
+        if (row[c] != 0) { sparse.back()[static_cast<std::int32_t>(c)] = row[c]; }
+      }
     }
     return verification::is_unimodular(sparse, static_cast<std::int32_t>(rows.size()));
   };
@@ -337,8 +353,8 @@ BOOST_AUTO_TEST_CASE(determinants_are_those_of_the_integers)
   BOOST_TEST(!unimodular({{0}}));
   BOOST_TEST(!unimodular({{3}}));
   BOOST_TEST(unimodular({{3, 5}, {1, 2}}));
-  BOOST_TEST(!unimodular({{3, 5}, {1, 3}})); // 4
-  BOOST_TEST(!unimodular({{1, 2}, {2, 4}})); // 0
+  BOOST_TEST(!unimodular({{3, 5}, {1, 3}}));                  // 4
+  BOOST_TEST(!unimodular({{1, 2}, {2, 4}}));                  // 0
   BOOST_TEST(unimodular({{2, 3, 5}, {5, 7, 12}, {1, 1, 3}})); // -1
   BOOST_TEST(!unimodular({{2, 0, 0}, {0, 2, 0}, {0, 0, 1}}));
 }

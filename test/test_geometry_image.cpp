@@ -2,9 +2,9 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include <meridian/map/map_with_low_stretch.h>
 #include <meridian/unwrap/geometry_image.h>
 #include <meridian/unwrap/measure_round_trip.h>
-#include <meridian/map/map_with_low_stretch.h>
 
 #include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
@@ -18,14 +18,22 @@ using namespace meridian;
 
 namespace {
 
-struct Sample { const char* name; Triangle_surface surface; int genus, boundary_loops; };
+struct Sample
+{
+  const char* name;
+  Triangle_surface surface;
+  int genus, boundary_loops;
+};
 
 std::ostream& operator<<(std::ostream& out, const Sample& s) { return out << s.name; }
 
 Triangle_surface flat_square(int n)
 {
   Triangle_surface s;
-  for (int j = 0; j <= n; ++j) { for (int i = 0; i <= n; ++i) { s.points.push_back({i / double(n), j / double(n), 0}); } }
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i) { s.points.push_back({i / double(n), j / double(n), 0}); }
+  }
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
     {
@@ -75,7 +83,10 @@ Image make_image(const Triangle_surface& s, int size, const Cut_options& options
 int least_size_named(const Triangle_surface& s, const Disc_cut& cut, int size)
 {
   Disc_cut copy = cut;
-  try { prepare_square_border(s, copy, size); }
+  try
+  {
+    prepare_square_border(s, copy, size);
+  }
   catch (const Invalid_input_error& e)
   {
     const std::string what = e.what(), before = "the least size is ";
@@ -131,14 +142,19 @@ BOOST_DATA_TEST_CASE(steps_of_the_border_add_up_and_mates_agree, data::make(samp
       const Border_path& mate = b.paths[path.mate];
       BOOST_TEST(r.cut.surface.opposite[h] == b.loop[(mate.first + mate.size - 1 - i) % n]);
       BOOST_TEST(mate.steps == path.steps);
-      if (i > 0) { BOOST_TEST(b.along[(path.first + i) % n] + b.along[(mate.first + mate.size - i) % n] == path.steps, boost::test_tools::tolerance(1e-12)); }
+      if (i > 0)
+      {
+        BOOST_TEST(b.along[(path.first + i) % n] + b.along[(mate.first + mate.size - i) % n] == path.steps,
+                   boost::test_tools::tolerance(1e-12));
+      }
     }
   }
   BOOST_TEST(steps == 4 * (size - 1));
   BOOST_TEST(edges == n);
 }
 
-BOOST_DATA_TEST_CASE(the_image_of_the_border_is_the_square_with_its_corners, data::make(samples()) * data::make({33, 50}), s, size)
+BOOST_DATA_TEST_CASE(the_image_of_the_border_is_the_square_with_its_corners,
+                     data::make(samples()) * data::make({33, 50}), s, size)
 {
   const Image r = make_image(s.surface, size);
   BOOST_TEST(find_flipped_faces(r.disc.triangles, r.at).size() == 0u);
@@ -208,18 +224,24 @@ BOOST_DATA_TEST_CASE(both_sides_of_a_seam_have_the_same_samples, data::make(samp
       const int a = (path.start + k) % r.border.steps(), b = (mate.start + mate.steps - k) % r.border.steps();
       ++pairs;
       BOOST_TEST((border[a] == border[b]));
-      for (int c = 0; c < 3; ++c) { BOOST_TEST(r.image.samples[3 * pixel_of(r.image, a) + c] == r.image.samples[3 * pixel_of(r.image, b) + c]); }
+      for (int c = 0; c < 3; ++c)
+      {
+        BOOST_TEST(r.image.samples[3 * pixel_of(r.image, a) + c] == r.image.samples[3 * pixel_of(r.image, b) + c]);
+      }
     }
   }
   BOOST_TEST((pairs > 0) == (s.genus > 0 || s.boundary_loops != 1));
 }
 
-// Where the border's samples lie is recounted from the map, which knows nothing of paths: on the edge whose image holds the grid point.
+// Where the border's samples lie is recounted from the map, which knows nothing of paths: on the edge whose image holds
+// the grid point.
 BOOST_DATA_TEST_CASE(samples_of_the_border_lie_where_the_map_says, data::make(samples()), s)
 {
   const Image r = make_image(s.surface, 33);
   const auto border = internal::sample_border(r.disc, r.border);
-  const auto place = [](const Plane_point& p) { return p[1] == 0 ? p[0] : p[0] == 1 ? 1 + p[1] : p[1] == 1 ? 3 - p[0] : 4 - p[1]; };
+  const auto place = [](const Plane_point& p) {
+    return p[1] == 0 ? p[0] : p[0] == 1 ? 1 + p[1] : p[1] == 1 ? 3 - p[0] : 4 - p[1];
+  };
   const double longest = distance({0, 0, 0}, {7, 3, 1});
   const auto n = r.border.loop.size();
   for (int k = 0; k < r.border.steps(); ++k)
@@ -231,7 +253,8 @@ BOOST_DATA_TEST_CASE(samples_of_the_border_lie_where_the_map_says, data::make(sa
     }
 }
 
-BOOST_DATA_TEST_CASE(what_is_made_of_the_image_has_the_topology_of_the_surface, data::make(samples()) * data::make({0, 33, 64, 129}), s, wanted)
+BOOST_DATA_TEST_CASE(what_is_made_of_the_image_has_the_topology_of_the_surface,
+                     data::make(samples()) * data::make({0, 33, 64, 129}), s, wanted)
 {
   const int size = wanted > 0 ? wanted : least_size_named(s.surface, pipeline::cut(s.surface), 1);
   const Image r = make_image(s.surface, size);
@@ -240,14 +263,18 @@ BOOST_DATA_TEST_CASE(what_is_made_of_the_image_has_the_topology_of_the_surface, 
   BOOST_TEST(sample::euler_characteristic(m.surface) == 2 - 2 * s.genus - s.boundary_loops);
   BOOST_TEST(boundary_loops(m.surface).size() == static_cast<std::size_t>(s.boundary_loops));
   BOOST_TEST(m.surface.number_of_faces() + m.faces_left_out == 2 * (size - 1) * (size - 1));
-  for (std::size_t p = 0; p < m.vertex_of.size(); ++p) { if (m.vertex_of[p] >= 0) { BOOST_REQUIRE((m.surface.points[m.vertex_of[p]] == r.image.point(p))); } }
+  for (std::size_t p = 0; p < m.vertex_of.size(); ++p)
+  {
+    if (m.vertex_of[p] >= 0) { BOOST_REQUIRE((m.surface.points[m.vertex_of[p]] == r.image.point(p))); }
+  }
 
   const Remeshed open = remesh_from_image(r.image);
   BOOST_TEST(sample::euler_characteristic(open.surface) == 1);
   BOOST_TEST(open.surface.number_of_vertices() == size * size);
 }
 
-// Any orientable gluing of the square's sides closes, wherever its corners lie. The characteristic is counted from the word alone.
+// Any orientable gluing of the square's sides closes, wherever its corners lie. The characteristic is counted from the
+// word alone.
 BOOST_DATA_TEST_CASE(every_gluing_of_the_border_makes_a_closed_surface, data::xrange(200), seed)
 {
   std::mt19937 random(seed);
@@ -255,17 +282,24 @@ BOOST_DATA_TEST_CASE(every_gluing_of_the_border_makes_a_closed_surface, data::xr
   std::vector<int> word, steps(letters, 3), place(letters, -1);
   for (int i = 0; i < letters; ++i) { word.insert(word.end(), 2, i); }
   std::shuffle(word.begin(), word.end(), random);
-  for (int extra = 3 * letters % 2 + 2 * static_cast<int>(random() % 6) + (letters < 3 ? 6 : 0); extra > 0; --extra) { ++steps[random() % letters]; }
+  for (int extra = 3 * letters % 2 + 2 * static_cast<int>(random() % 6) + (letters < 3 ? 6 : 0); extra > 0; --extra)
+  {
+    ++steps[random() % letters];
+  }
   const int size = 1 + std::accumulate(steps.begin(), steps.end(), 0) / 2;
   Square_border border;
   border.size = size;
   int start = static_cast<int>(random() % border.steps());
-  std::vector<int> end(2 * word.size()); // of path i: 2 i, where it begins, and 2 i + 1; the same number for the same vertex
+  // of path i: 2 i, where it begins, and 2 i + 1; the same number for the same vertex
+  std::vector<int> end(2 * word.size());
   std::iota(end.begin(), end.end(), 0);
   const auto unite = [&](int a, int b) {
     a = end[a];
     b = end[b];
-    for (int& e : end) { if (e == b) { e = a; } }
+    for (int& e : end)
+    {
+      if (e == b) { e = a; }
+    }
   };
   for (std::size_t i = 0; i < word.size(); ++i)
   {
@@ -291,7 +325,8 @@ BOOST_DATA_TEST_CASE(every_gluing_of_the_border_makes_a_closed_surface, data::xr
   const Remeshed m = remesh_from_image(image, &border);
   BOOST_TEST(is_edge_manifold(m.surface));
   BOOST_TEST(boundary_loops(m.surface).empty());
-  BOOST_TEST(sample::euler_characteristic(m.surface) == static_cast<int>(std::set<int>(end.begin(), end.end()).size()) - letters + 1);
+  BOOST_TEST(sample::euler_characteristic(m.surface)
+             == static_cast<int>(std::set<int>(end.begin(), end.end()).size()) - letters + 1);
   int folded = 0;
   for (const Border_path& path : border.paths)
   {
@@ -328,7 +363,10 @@ BOOST_DATA_TEST_CASE(a_size_that_is_too_small_is_refused_and_the_least_one_works
   copy = cut;
   copy.opened.copy_of.clear(); // what is not a disc is refused
   copy.opened.triangles = copy.surface.triangles;
-  if (s.genus > 0 || s.boundary_loops != 1) { BOOST_CHECK_THROW(prepare_square_border(s.surface, copy, 33), Invalid_input_error); }
+  if (s.genus > 0 || s.boundary_loops != 1)
+  {
+    BOOST_CHECK_THROW(prepare_square_border(s.surface, copy, 33), Invalid_input_error);
+  }
 }
 
 // Known answer: the grid of a flat square is its image.
@@ -336,14 +374,18 @@ BOOST_AUTO_TEST_CASE(a_flat_square_comes_back_exactly)
 {
   const auto s = flat_square(16);
   const Image r = make_image(s, 33);
-  BOOST_TEST(r.disc.number_of_vertices() - s.number_of_vertices() == 0); // its corners are vertices, and no edge joins two points of one side
+  // its corners are vertices, and no edge joins two points of one side
+  BOOST_TEST(r.disc.number_of_vertices() - s.number_of_vertices() == 0);
   std::set<std::array<int, 2>> seen;
   for (int row = 0; row < 33; ++row)
     for (int column = 0; column < 33; ++column)
     {
       const Point p = r.image.point(r.image.pixel(column, row));
       BOOST_TEST(p[2] == 0.);
-      if (column % 32 == 0 && row % 32 == 0) { seen.insert({static_cast<int>(p[0] + 0.5), static_cast<int>(p[1] + 0.5)}); }
+      if (column % 32 == 0 && row % 32 == 0)
+      {
+        seen.insert({static_cast<int>(p[0] + 0.5), static_cast<int>(p[1] + 0.5)});
+      }
       for (int c = 0; c < 2; ++c)
         if (column % 32 == 0 || row % 32 == 0)
         {
@@ -366,7 +408,8 @@ BOOST_DATA_TEST_CASE(more_samples_come_closer, data::make({1, 3}), which)
   {
     const Image r = make_image(s, size);
     const Round_trip trip = measure_round_trip(s, remesh_from_image(r.image, &r.border).surface);
-    BOOST_TEST_MESSAGE(which << " " << size << " psnr " << trip.psnr << " hausdorff " << trip.hausdorff / trip.diagonal);
+    BOOST_TEST_MESSAGE(which << " " << size << " psnr " << trip.psnr << " hausdorff "
+                             << trip.hausdorff / trip.diagonal);
     BOOST_TEST(trip.psnr > last + 6); // halving the grid divides the error by four: 12 dB
     last = trip.psnr;
   }
@@ -383,7 +426,8 @@ BOOST_AUTO_TEST_CASE(distances_are_those_of_parallel_squares)
   BOOST_TEST(trip.back.largest == 0.25, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(trip.back.rms == 0.25, boost::test_tools::tolerance(1e-9));
   BOOST_TEST(trip.there.largest == std::sqrt(0.25 + 0.0625), boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(trip.there.rms == std::sqrt(0.0625 + 1. / 24), boost::test_tools::tolerance(1e-4)); // the mean of x^2 over [0, 0.5], halved
+  // the mean of x^2 over [0, 0.5], halved
+  BOOST_TEST(trip.there.rms == std::sqrt(0.0625 + 1. / 24), boost::test_tools::tolerance(1e-4));
   BOOST_TEST(trip.psnr == 20 * std::log10(std::sqrt(2.) / trip.there.rms), boost::test_tools::tolerance(1e-9));
   BOOST_TEST(measure_round_trip(s, s).hausdorff < 1e-12);
 }
@@ -400,7 +444,8 @@ BOOST_AUTO_TEST_CASE(stretch_is_lowered)
   {
     const auto at = map_with_low_stretch<>(s, loops.front(), border, steps);
     BOOST_TEST(find_flipped_faces(s.triangles, at).size() == 0u);
-    const double stretch = measure_distortion(s.points, s.triangles, at, measure_faces(s.points, s.triangles, at)).stretch_l2;
+    const double stretch =
+      measure_distortion(s.points, s.triangles, at, measure_faces(s.points, s.triangles, at)).stretch_l2;
     BOOST_TEST_MESSAGE("steps " << steps << " stretch " << stretch);
     BOOST_TEST(stretch < 0.9 * last);
     last = stretch;
@@ -413,7 +458,8 @@ BOOST_AUTO_TEST_CASE(the_same_input_gives_the_same_image)
   const Image a = make_image(s, 65), b = make_image(s, 65);
   BOOST_TEST((a.image.samples == b.image.samples));
   BOOST_TEST((a.disc.points == b.disc.points));
-  BOOST_TEST((remesh_from_image(a.image, &a.border).surface.triangles == remesh_from_image(b.image, &b.border).surface.triangles));
+  BOOST_TEST((remesh_from_image(a.image, &a.border).surface.triangles
+              == remesh_from_image(b.image, &b.border).surface.triangles));
 }
 
 BOOST_AUTO_TEST_CASE(maps_and_images_that_do_not_fit_are_refused)

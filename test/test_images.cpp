@@ -13,15 +13,23 @@ namespace {
 struct Image_folder : Folder
 {
   files::Image read(const std::string& bytes) const { return files::read_png(write("a.png", bytes)); }
-  std::string refusal(const std::string& bytes) const { return message_of([&] { read(bytes); }); }
+  std::string refusal(const std::string& bytes) const
+  {
+    return message_of([&] { read(bytes); });
+  }
 };
 
 // A PNG file put together from its definition.
-std::string made_png(unsigned width, unsigned height, char bits, char color, const std::string& rows, bool has_palette = false)
+std::string made_png(unsigned width, unsigned height, char bits, char color, const std::string& rows,
+                     bool has_palette = false)
 {
-  const auto word = [](unsigned long x) { return std::string{static_cast<char>(x >> 24), static_cast<char>(x >> 16), static_cast<char>(x >> 8), static_cast<char>(x)}; };
+  const auto word = [](unsigned long x) {
+    return std::string{static_cast<char>(x >> 24), static_cast<char>(x >> 16), static_cast<char>(x >> 8),
+                       static_cast<char>(x)};
+  };
   const auto chunk = [&](const std::string& body) {
-    return word(body.size() - 4) + body + word(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size())));
+    return word(body.size() - 4) + body
+           + word(crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size())));
   };
   uLongf n = compressBound(rows.size());
   std::string packed(n, '\0');
@@ -55,7 +63,8 @@ BOOST_FIXTURE_TEST_CASE(an_image_is_read_back_as_it_was, Image_folder)
         for (auto& x : samples) { x = static_cast<std::uint16_t>(random() >> (32 - bits)); }
         const std::string bytes = files::format_png(width, height, channels, samples, bits);
         const files::Image image = read(bytes);
-        BOOST_TEST((image.width == width && image.height == height && image.channels == channels && image.bits == bits));
+        BOOST_TEST(
+          (image.width == width && image.height == height && image.channels == channels && image.bits == bits));
         BOOST_TEST((image.samples == samples));
         BOOST_TEST(files::format_png(width, height, channels, samples, bits) == bytes);
         BOOST_TEST(!contains(bytes, "tIME"));
@@ -77,7 +86,8 @@ BOOST_FIXTURE_TEST_CASE(files_that_are_no_plain_images_are_refused, Image_folder
   BOOST_TEST(contains(refusal(made_png(1, 1, 16, 4, std::string(5, '\0'))), "the image has an alpha channel"));
   BOOST_TEST(contains(refusal(made_png(2, 1, 4, 0, std::string(2, '\0'))), "the image has 4 bits a sample"));
   BOOST_TEST(contains(refusal(made_png(1, 2, 8, 0, std::string(2, '\0'))), "a damaged PNG file: "));
-  BOOST_TEST(contains(refusal(made_png(900000, 900000, 8, 0, std::string(2, '\0'))), "900000 x 900000 pixels; at most"));
+  BOOST_TEST(
+    contains(refusal(made_png(900000, 900000, 8, 0, std::string(2, '\0'))), "900000 x 900000 pixels; at most"));
   BOOST_TEST(contains(refusal(made_png(0, 1, 8, 0, std::string(2, '\0'))), "a damaged PNG file: "));
   BOOST_CHECK_THROW(files::format_png(2, 2, 1, {1, 2, 3}, 8), Internal_error);
   BOOST_CHECK_THROW(files::format_png(1, 1, 1, {256}, 8), Internal_error);
@@ -88,7 +98,9 @@ BOOST_FIXTURE_TEST_CASE(files_that_are_no_plain_images_are_refused, Image_folder
 BOOST_FIXTURE_TEST_CASE(a_checkerboard_shows_where_it_is, Image_folder)
 {
   const files::Image image = read(files::format_checkerboard(64, 8));
-  const auto at = [&](int i, int j, int channel) { return image.samples[static_cast<std::size_t>(((63 - 8 * j - 4) * 64 + 8 * i + 4) * 3 + channel)]; };
+  const auto at = [&](int i, int j, int channel) {
+    return image.samples[static_cast<std::size_t>(((63 - 8 * j - 4) * 64 + 8 * i + 4) * 3 + channel)];
+  };
   BOOST_TEST((image.width == 64 && image.height == 64 && image.channels == 3 && image.bits == 8));
   for (int i = 0; i < 8; ++i)
     for (int j = 0; j < 8; ++j) { BOOST_TEST((at(i, j, 1) < 128) == ((i + j) % 2 == 0)); }

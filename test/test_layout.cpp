@@ -14,12 +14,18 @@ namespace {
 std::vector<double> even(const Result_mesh& m, double value = 1) { return std::vector<double>(m.faces.size(), value); }
 
 // The numbers that a layout shows.
-struct Number { double x, y; std::string color; int number; };
+struct Number
+{
+  double x, y;
+  std::string color;
+  int number;
+};
 std::vector<Number> numbers(const std::string& svg)
 {
   const std::size_t at = svg.find("<g class=\"numbers\"");
   const std::string part = svg.substr(at, svg.find("</g>", at) - at);
-  static const std::regex form("<text x=\"([-.0-9]+)\" y=\"([-.0-9]+)\" font-size=\"[.0-9]+\" fill=\"(#[0-9a-f]+)\">([0-9]+)</text>");
+  static const std::regex form(
+    "<text x=\"([-.0-9]+)\" y=\"([-.0-9]+)\" font-size=\"[.0-9]+\" fill=\"(#[0-9a-f]+)\">([0-9]+)</text>");
   std::vector<Number> found;
   for (std::sregex_iterator i(part.begin(), part.end(), form), end; i != end; ++i)
     found.push_back({std::stod((*i)[1]), std::stod((*i)[2]), (*i)[3], std::stoi((*i)[4])});
@@ -45,11 +51,14 @@ int numbered_paths(const std::string& svg)
 
 } // namespace
 
-// Known answers: two halves meet in a circle; three slices of a ball in three lines; the faces of an octahedron in twelve edges.
+// Known answers: two halves meet in a circle; three slices of a ball in three lines; the faces of an octahedron in
+// twelve edges.
 BOOST_AUTO_TEST_CASE(paths_between_charts_are_as_long_as_can_be)
 {
   const Triangle_surface octahedron = sample::sphere(0), ball = sample::sphere(3);
-  const auto paths_of = [](const Result_mesh& m) { return numbered_paths(files::format_layout(m, random_texture(m, 1), even(m))); };
+  const auto paths_of = [](const Result_mesh& m) {
+    return numbered_paths(files::format_layout(m, random_texture(m, 1), even(m)));
+  };
   BOOST_TEST(paths_of(opened_into_charts(octahedron, [](Index f) { return f / 4; })) == 1);
   BOOST_TEST(paths_of(opened_into_charts(octahedron, [](Index f) { return f; })) == 12);
   const auto slice = [&](Index f) {
@@ -62,12 +71,16 @@ BOOST_AUTO_TEST_CASE(paths_between_charts_are_as_long_as_can_be)
   BOOST_TEST(numbered_paths(files::format_layout(torus.mesh, torus.texture, even(torus.mesh))) == 2);
 }
 
-// Theorem: seam paths run between the vertices where other than two sectors meet, or on the border of the surface. Every seam
-// side is on one of them, opposite to its mate.
+// Theorem: seam paths run between the vertices where other than two sectors meet, or on the border of the surface.
+// Every seam side is on one of them, opposite to its mate.
 BOOST_AUTO_TEST_CASE(every_seam_path_is_numbered_once_on_each_side)
 {
-  std::vector<Triangle_surface> surfaces{sample::sphere(2), sample::plate(1), sample::plate(3), sample::torus(12, 9),
-                                         sample::punctured(sample::sphere(3), {0, 1, 100}), sample::punctured(sample::torus(16, 12), {5, 100})};
+  std::vector<Triangle_surface> surfaces{sample::sphere(2),
+                                         sample::plate(1),
+                                         sample::plate(3),
+                                         sample::torus(12, 9),
+                                         sample::punctured(sample::sphere(3), {0, 1, 100}),
+                                         sample::punctured(sample::torus(16, 12), {5, 100})};
   for (const Triangle_surface& s : surfaces)
   {
     const Result_mesh m = pipeline::run(sample::soup(s)).assembled.mesh;
@@ -93,7 +106,10 @@ BOOST_AUTO_TEST_CASE(every_seam_path_is_numbered_once_on_each_side)
         for (Index v : {ends.first, ends.second}) { on_border.insert(base(m, v)); }
       }
     int ends = 0;
-    for (Index v = 0; v < static_cast<Index>(degree.size()); ++v) { ends += degree[v] != 2 || on_border.count(v) ? degree[v] : 0; }
+    for (Index v = 0; v < static_cast<Index>(degree.size()); ++v)
+    {
+      ends += degree[v] != 2 || on_border.count(v) ? degree[v] : 0;
+    }
     std::size_t sides = 0;
     int paths = 0;
     for (const auto& path : files::find_chart_borders(m))
@@ -123,7 +139,10 @@ BOOST_AUTO_TEST_CASE(numbers_stand_inside_at_the_middle_of_their_path)
 {
   const Torus torus = opened_torus(8, 8);
   std::map<int, std::vector<Number>> found;
-  for (const Number& n : numbers(files::format_layout(torus.mesh, torus.texture, even(torus.mesh)))) { found[n.number].push_back(n); }
+  for (const Number& n : numbers(files::format_layout(torus.mesh, torus.texture, even(torus.mesh))))
+  {
+    found[n.number].push_back(n);
+  }
   BOOST_REQUIRE(found.size() == 2u);
   for (auto& [number, pair] : found)
   {

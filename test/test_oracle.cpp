@@ -1,8 +1,9 @@
-// What CGAL's Surface_mesh_topology says of the generators: none is contractible, and the two of a pair are not freely homotopic.
+// What CGAL's Surface_mesh_topology says of the generators: none is contractible, and the two of a pair are not freely
+// homotopic.
 #include "support/sample_surfaces.h"
 
-#include <meridian/surface/examine_surface.h>
 #include <meridian/handles/find_generators.h>
+#include <meridian/surface/examine_surface.h>
 
 #include "files/read_mesh.h"
 #include "instances.h"
@@ -34,7 +35,10 @@ void ask(const std::string& name, const Triangle_surface& s)
   CGAL::Surface_mesh_topology::Curves_on_surface_topology<Mesh> topology(mesh);
   const auto path = [&](const std::vector<Index>& loop) {
     CGAL::Surface_mesh_topology::Path_on_surface<Mesh> p(mesh);
-    for (std::size_t i = 0; i < loop.size(); ++i) { p.push_back(mesh.halfedge(Vertex(loop[i]), Vertex(loop[(i + 1) % loop.size()]))); }
+    for (std::size_t i = 0; i < loop.size(); ++i)
+    {
+      p.push_back(mesh.halfedge(Vertex(loop[i]), Vertex(loop[(i + 1) % loop.size()])));
+    }
     return p;
   };
   int contractible = 0, homotopic = 0;
@@ -44,7 +48,8 @@ void ask(const std::string& name, const Triangle_surface& s)
     contractible += topology.is_contractible(meridian) + topology.is_contractible(longitude);
     homotopic += topology.are_freely_homotopic(meridian, longitude);
   }
-  std::cout << name << ": " << g.pairs.size() << " pairs, " << contractible << " contractible curves, " << homotopic << " homotopic pairs\n";
+  std::cout << name << ": " << g.pairs.size() << " pairs, " << contractible << " contractible curves, " << homotopic
+            << " homotopic pairs\n";
   failures += contractible + homotopic > 0;
 }
 
@@ -57,8 +62,9 @@ int main()
   ask("dumbbell", sample::dumbbell(12));
   int meshes = 0;
   if (const char* corpus = std::getenv("MERIDIAN_CORPUS"); corpus && *corpus)
-    for (const char* file : {"eight.off", "anchor.off", "couplingdown.off", "turbine.off.gz", "5Torus.obj.gz", "eiffel_tower.obj.gz", "shrec07_105.off.gz",
-                             "casting.off.gz", "botijo.off.gz", "fertility_input.off.gz", "kitten.obj.gz", "buddha_half.obj.gz", "soccerball.obj.gz"})
+    for (const char* file : {"eight.off", "anchor.off", "couplingdown.off", "turbine.off.gz", "5Torus.obj.gz",
+                             "eiffel_tower.obj.gz", "shrec07_105.off.gz", "casting.off.gz", "botijo.off.gz",
+                             "fertility_input.off.gz", "kitten.obj.gz", "buddha_half.obj.gz", "soccerball.obj.gz"})
     {
       const Examination e = examine_surface(files::read_mesh((std::filesystem::path(corpus) / file).string()));
       ask(file, e.components.front().surface);

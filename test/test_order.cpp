@@ -104,7 +104,9 @@ BOOST_DATA_TEST_CASE(an_st_numbering_has_only_the_allowed_extrema, data::xrange(
   const auto g = make_closed_model(s);
   std::mt19937 random(seed);
   std::vector<Index> low{static_cast<Index>(random() % g.number_of_nodes)}, high;
-  do { high = {static_cast<Index>(random() % g.number_of_nodes)}; } while (high == low);
+  do {
+    high = {static_cast<Index>(random() % g.number_of_nodes)};
+  } while (high == low);
   const auto nodes = internal::st_numbering(g, low, high);
   std::vector<Index> rank(g.number_of_nodes, -1);
   for (std::size_t i = 0; i < nodes.size(); ++i) { rank[nodes[i]] = static_cast<Index>(i); }
@@ -127,7 +129,8 @@ BOOST_AUTO_TEST_CASE(several_extrema_may_be_kept)
   BOOST_TEST(c.maxima == 2);
 }
 
-// sin x + sin y - sin(x + y) on a torus: one minimum, one maximum and one double saddle, whose contours do not cut the handle.
+// sin x + sin y - sin(x + y) on a torus: one minimum, one maximum and one double saddle, whose contours do not cut the
+// handle.
 BOOST_AUTO_TEST_CASE(a_double_saddle_on_a_torus_becomes_two_whose_loops_cut_the_handle)
 {
   constexpr int n = 36;
@@ -161,7 +164,11 @@ BOOST_AUTO_TEST_CASE(a_double_saddle_on_a_torus_becomes_two_whose_loops_cut_the_
   seen[0] = 1;
   for (std::size_t i = 0; i < reached.size(); ++i)
     for (Index h = 3 * reached[i]; h < 3 * reached[i] + 3; ++h)
-      if (o.opposite[h] >= 0 && !seen[o.opposite[h] / 3]) { seen[o.opposite[h] / 3] = 1; reached.push_back(o.opposite[h] / 3); }
+      if (o.opposite[h] >= 0 && !seen[o.opposite[h] / 3])
+      {
+        seen[o.opposite[h] / 3] = 1;
+        reached.push_back(o.opposite[h] / 3);
+      }
   BOOST_TEST(reached.size() == static_cast<std::size_t>(o.number_of_faces()));
 }
 
@@ -217,7 +224,10 @@ BOOST_AUTO_TEST_CASE(weights_are_finite_on_faces_without_area)
   s.points[1] = s.points[0]; // an edge without length
   s.points[9] = 0.5 * (s.points[8] + s.points[10]);
   for (Weights kind : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT})
-    for (double w : edge_weights(s, kind)) { BOOST_REQUIRE((std::isfinite(w) && (kind == Weights::COTANGENT || w > 0))); }
+    for (double w : edge_weights(s, kind))
+    {
+      BOOST_REQUIRE((std::isfinite(w) && (kind == Weights::COTANGENT || w > 0)));
+    }
 }
 
 BOOST_AUTO_TEST_CASE(digits_are_kept_where_the_field_is_flat)

@@ -2,8 +2,8 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
-#include <meridian/map/map_into_polygon.h>
 #include <meridian/map/internal/dirichlet_energy.h>
+#include <meridian/map/map_into_polygon.h>
 #include <meridian/map/minimize_distortion.h>
 #include <meridian/map/pack_charts.h>
 #include <meridian/proof/verify_unwrapping.h>
@@ -22,7 +22,10 @@ namespace {
 template <class Function> Triangle_surface sheet(int n, int m, const Function& f)
 {
   Triangle_surface s;
-  for (int j = 0; j <= m; ++j) { for (int i = 0; i <= n; ++i) { s.points.push_back(f(i / double(n), j / double(m))); } }
+  for (int j = 0; j <= m; ++j)
+  {
+    for (int i = 0; i <= n; ++i) { s.points.push_back(f(i / double(n), j / double(m))); }
+  }
   for (int j = 0; j < m; ++j)
     for (int i = 0; i < n; ++i)
     {
@@ -37,7 +40,10 @@ Triangle_surface tube_with_cap(int around, int along) // one end open, radius 1,
 {
   Triangle_surface s;
   for (int j = 0; j < along; ++j)
-    for (int i = 0; i < around; ++i) { s.points.push_back({std::cos(2 * sample::pi * i / around), std::sin(2 * sample::pi * i / around), 0.25 * j}); }
+    for (int i = 0; i < around; ++i)
+    {
+      s.points.push_back({std::cos(2 * sample::pi * i / around), std::sin(2 * sample::pi * i / around), 0.25 * j});
+    }
   const auto at = [&](int i, int j) { return j * around + i % around; };
   for (int j = 0; j + 1 < along; ++j)
     for (int i = 0; i < around; ++i)
@@ -75,9 +81,15 @@ Triangle_surface disc_of(const Triangle_surface& s)
 const std::vector<std::pair<const char*, Triangle_surface>>& samples()
 {
   static const std::vector<std::pair<const char*, Triangle_surface>> all{
-    {"torus", sample::torus(20, 12)}, {"coarse torus", sample::torus(3, 3)}, {"bitorus", sample::bitorus(14)}, {"sphere", sample::sphere(3)},
-    {"plate", sample::plate(5, 2)}, {"teapot", sample::teapot(16)}, {"noisy torus", sample::noisy(sample::torus(20, 14), 0.2, 3)},
-    {"disc", sample::punctured(sample::sphere(3), {0})}, {"triangle", sample::connected({{{0, 0, 0}, {3, 0, 0}, {0, 4, 1}}, {{0, 1, 2}}, {}, {}})}};
+    {"torus", sample::torus(20, 12)},
+    {"coarse torus", sample::torus(3, 3)},
+    {"bitorus", sample::bitorus(14)},
+    {"sphere", sample::sphere(3)},
+    {"plate", sample::plate(5, 2)},
+    {"teapot", sample::teapot(16)},
+    {"noisy torus", sample::noisy(sample::torus(20, 14), 0.2, 3)},
+    {"disc", sample::punctured(sample::sphere(3), {0})},
+    {"triangle", sample::connected({{{0, 0, 0}, {3, 0, 0}, {0, 4, 1}}, {{0, 1, 2}}, {}, {}})}};
   return all;
 }
 
@@ -102,7 +114,10 @@ BOOST_AUTO_TEST_CASE(the_sign_of_an_area_is_exact)
   {
     const double t = unit(random), u = unit(random);
     Plane_point p{t, t}, q{u, u}, r{0.5, i % 3 == 0 ? 0.5 : std::nextafter(0.5, i % 3)};
-    if (i % 2) { for (Plane_point* x : {&p, &q, &r}) { *x = std::ldexp(1., -500) * *x; } } // products underflow
+    if (i % 2)
+    {
+      for (Plane_point* x : {&p, &q, &r}) { *x = std::ldexp(1., -500) * *x; }
+    } // products underflow
     BOOST_REQUIRE(orientation_of(p, q, r) == exact_sign(p, q, r));
     zero += exact_sign(p, q, r) == 0;
   }
@@ -115,13 +130,20 @@ BOOST_AUTO_TEST_CASE(the_derivatives_of_the_energy_are_those_of_differences)
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < 500; ++i)
   {
-    const auto t = internal::make_rest_triangle({0, 1, 2}, 1 + 0.5 * unit(random), unit(random), 0.6 + 0.5 * unit(random));
+    const auto t =
+      internal::make_rest_triangle({0, 1, 2}, 1 + 0.5 * unit(random), unit(random), 0.6 + 0.5 * unit(random));
     std::vector<Plane_point> at(3);
-    do { for (Plane_point& p : at) { p = {unit(random), unit(random)}; } } while (internal::gradient_of(t, at).determinant() < 0.3);
+    do {
+      for (Plane_point& p : at) { p = {unit(random), unit(random)}; }
+    } while (internal::gradient_of(t, at).determinant() < 0.3);
     const auto energy = [&] { return internal::symmetric_dirichlet_energy(internal::gradient_of(t, at)); };
     const auto d = internal::derive_energy(t, internal::gradient_of(t, at));
     bool is_convex = true;
-    for (const auto& mode : d.modes) { BOOST_REQUIRE(mode.lambda >= 0); is_convex = is_convex && mode.lambda > 0; }
+    for (const auto& mode : d.modes)
+    {
+      BOOST_REQUIRE(mode.lambda >= 0);
+      is_convex = is_convex && mode.lambda > 0;
+    }
     for (int k = 0; k < 6; ++k)
     {
       double& x = at[k / 2][k % 2];
@@ -153,7 +175,9 @@ BOOST_AUTO_TEST_CASE(a_step_ends_where_a_triangle_collapses)
   const std::vector<Plane_point> at{{0, 0}, {1, 0}, {0, 1}};
   BOOST_TEST(internal::step_to_collapse(t, at, {{0, 0}, {0, 0}, {0, -2}}) == 0.5, boost::test_tools::tolerance(1e-12));
   BOOST_TEST(internal::step_to_collapse(t, at, {{0, 0}, {0, 0}, {0, 5}}) == 1.);
-  BOOST_TEST(internal::step_to_collapse(t, at, {{0, 0}, {-4, 0}, {0, -2}}) == 0.25, boost::test_tools::tolerance(1e-12)); // the first of two
+  // the first of two
+  BOOST_TEST(internal::step_to_collapse(t, at, {{0, 0}, {-4, 0}, {0, -2}}) == 0.25,
+             boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(distortion_of_a_linear_map_is_known)
@@ -170,7 +194,9 @@ BOOST_AUTO_TEST_CASE(distortion_of_a_linear_map_is_known)
     BOOST_TEST(d.area < 1e-12);
     BOOST_TEST(d.angle > 0.3);
   };
-  const auto measure = [](const Triangle_surface& t, const std::vector<Plane_point>& x) { return measure_distortion(t.points, t.triangles, x, measure_faces(t.points, t.triangles, x)); };
+  const auto measure = [](const Triangle_surface& t, const std::vector<Plane_point>& x) {
+    return measure_distortion(t.points, t.triangles, x, measure_faces(t.points, t.triangles, x));
+  };
   check(measure(s, at));
   std::vector<Plane_point> larger = at; // it depends on no scale, and on no motion
   for (Plane_point& p : larger) { p = {7 - 100 * p[1], 100 * p[0]}; }
@@ -193,9 +219,15 @@ BOOST_AUTO_TEST_CASE(distortion_of_a_linear_map_is_known)
 // What can be unrolled is unrolled.
 BOOST_AUTO_TEST_CASE(developable_surfaces_are_mapped_without_distortion)
 {
-  const auto cylinder = sheet(24, 10, [](double x, double y) { return Point{std::cos(5 * x), std::sin(5 * x), 2 * y}; });
-  const auto cone = sheet(24, 8, [](double x, double y) { return Point{(1 + y) * std::cos(3 * x), (1 + y) * std::sin(3 * x), 2 * y}; });
-  const auto roll = sheet(60, 6, [](double x, double y) { return Point{(1 + x) * std::cos(9 * x), (1 + x) * std::sin(9 * x), y}; });
+  const auto cylinder = sheet(24, 10, [](double x, double y) {
+    return Point{std::cos(5 * x), std::sin(5 * x), 2 * y};
+  });
+  const auto cone = sheet(24, 8, [](double x, double y) {
+    return Point{(1 + y) * std::cos(3 * x), (1 + y) * std::sin(3 * x), 2 * y};
+  });
+  const auto roll = sheet(60, 6, [](double x, double y) {
+    return Point{(1 + x) * std::cos(9 * x), (1 + x) * std::sin(9 * x), y};
+  });
   for (const Triangle_surface& s : {cylinder, roll})
   {
     const auto d = pipeline::map(s).distortion;
@@ -228,7 +260,8 @@ BOOST_DATA_TEST_CASE(every_method_gives_a_map_without_flipped_faces, data::xrang
         for (const Plane_point& q : p.at) { BOOST_TEST(norm(q - Plane_point{0.5, 0.5}) < 0.72); }
       if (border == Map_border::SQUARE && p.border == border)
         for (Index v = 0; v < disc.number_of_vertices(); ++v)
-          BOOST_TEST((p.at[v][0] == 0 || p.at[v][0] == 1 || p.at[v][1] == 0 || p.at[v][1] == 1) == disc.is_boundary_vertex(v));
+          BOOST_TEST((p.at[v][0] == 0 || p.at[v][0] == 1 || p.at[v][1] == 0 || p.at[v][1] == 1)
+                     == disc.is_boundary_vertex(v));
     }
   }
 }
@@ -238,7 +271,8 @@ BOOST_AUTO_TEST_CASE(a_border_that_is_fixed_stays_to_the_bit)
   const Triangle_surface disc = disc_of(sample::bitorus(20));
   const auto loops = boundary_loops(disc);
   const auto circle = place_on_circle(places_along(disc, loops.front()));
-  auto at = map_into_polygon<Symmetric_solver_traits>(disc, edge_weights(disc, Weights::POSITIVE), loops.front(), circle);
+  auto at =
+    map_into_polygon<Symmetric_solver_traits>(disc, edge_weights(disc, Weights::POSITIVE), loops.front(), circle);
   internal::Distortion_minimizer<Symmetric_solver_traits> minimizer(disc, false, at);
   for (int i = 0; i < 10; ++i) { minimizer.step(); }
   for (std::size_t i = 0; i < circle.size(); ++i) { BOOST_TEST((at[disc.source(loops.front()[i])] == circle[i])); }
@@ -266,7 +300,10 @@ BOOST_AUTO_TEST_CASE(minimizing_goes_down_and_stays_one_to_one)
     double area = 0;
     for (const auto& t : rest) { area += t.weight; }
     const double scale = std::sqrt(area / area_of(disc.triangles, at));
-    for (auto& t : rest) { for (Plane_point& g : t.gradients) { g = scale * g; } }
+    for (auto& t : rest)
+    {
+      for (Plane_point& g : t.gradients) { g = scale * g; }
+    }
     double last = total_energy(rest, at);
     BOOST_TEST_CONTEXT(name)
     {
@@ -287,7 +324,8 @@ BOOST_AUTO_TEST_CASE(minimizing_goes_down_and_stays_one_to_one)
 
 BOOST_AUTO_TEST_CASE(a_map_that_winds_twice_is_not_one_to_one)
 {
-  // A fan of 2 x 8 faces around one vertex, each an eighth of a turn: no face is flipped, and the border goes around twice.
+  // A fan of 2 x 8 faces around one vertex, each an eighth of a turn: no face is flipped, and the border goes around
+  // twice.
   Triangle_surface s;
   std::vector<Plane_point> at{{0, 0}};
   s.points.push_back({0, 0, 0});
@@ -308,8 +346,10 @@ BOOST_AUTO_TEST_CASE(distortion_does_not_depend_on_scale_or_mirror)
 {
   const Triangle_surface disc = disc_of(sample::bitorus(16));
   const double whole = pipeline::map(disc).distortion.stretch_l2;
-  BOOST_TEST(pipeline::map(sample::scaled(disc, std::ldexp(1., 40))).distortion.stretch_l2 == whole, boost::test_tools::tolerance(1e-9));
-  BOOST_TEST(pipeline::map(sample::scaled(disc, 1e-3)).distortion.stretch_l2 == whole, boost::test_tools::tolerance(1e-4));
+  BOOST_TEST(pipeline::map(sample::scaled(disc, std::ldexp(1., 40))).distortion.stretch_l2 == whole,
+             boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(pipeline::map(sample::scaled(disc, 1e-3)).distortion.stretch_l2 == whole,
+             boost::test_tools::tolerance(1e-4));
   BOOST_TEST(pipeline::map(sample::mirrored(disc)).distortion.stretch_l2 == whole, boost::test_tools::tolerance(2e-2));
   BOOST_TEST((pipeline::map(disc).at == pipeline::map(disc).at)); // deterministic
 }
@@ -349,7 +389,11 @@ BOOST_AUTO_TEST_CASE(stretch_falls_with_every_extension)
         for (const Unwrap_step& e : u.extensions)
         {
           BOOST_TEST(e.length > length);
-          if (!e.is_taken) { BOOST_TEST(e.stretch_l2 >= stretch); continue; }
+          if (!e.is_taken)
+          {
+            BOOST_TEST(e.stretch_l2 >= stretch);
+            continue;
+          }
           BOOST_TEST(e.stretch_l2 < stretch);
           stretch = e.stretch_l2;
           length = e.length;
@@ -367,14 +411,19 @@ BOOST_AUTO_TEST_CASE(the_cut_of_least_cost_is_taken)
 {
   const Triangle_surface s = sample::three_rings(16);
   double area = 0;
-  for (const auto& t : s.triangles) { area += norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2; }
+  for (const auto& t : s.triangles)
+  {
+    area += norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2;
+  }
   for (double w : {0., 0.5, 1.})
   {
     Unwrap_options options;
     options.family = 6;
     options.stretch_weight = w;
     const Unwrapping u = pipeline::unwrap(s, options);
-    const auto cost = [&](double length, double stretch) { return w > 0 ? (1 - w) * length / std::sqrt(area) + w * stretch : length / std::sqrt(area); };
+    const auto cost = [&](double length, double stretch) {
+      return w > 0 ? (1 - w) * length / std::sqrt(area) + w * stretch : length / std::sqrt(area);
+    };
     double least = cost(u.cut.length, u.map.distortion.stretch_l2);
     BOOST_TEST(u.members.size() == 6u);
     BOOST_TEST((u.variations.size() > 0) == (w > 0));
@@ -394,13 +443,21 @@ BOOST_AUTO_TEST_CASE(the_cut_of_least_cost_is_taken)
 BOOST_AUTO_TEST_CASE(charts_are_packed_side_by_side_at_one_scale)
 {
   std::vector<Triangle_surface> discs;
-  for (int i = 1; i <= 12; ++i) { discs.push_back(sheet(i, 3, [&](double x, double y) { return Point{i * x * std::cos(i), i * x * std::sin(i) + 0.3 * y, y}; })); }
+  for (int i = 1; i <= 12; ++i)
+  {
+    discs.push_back(sheet(i, 3, [&](double x, double y) {
+      return Point{i * x * std::cos(i), i * x * std::sin(i) + 0.3 * y, y};
+    }));
+  }
   std::vector<Chart> charts;
   std::vector<double> areas;
   for (const Triangle_surface& d : discs)
   {
     double area = 0;
-    for (const auto& t : d.triangles) { area += norm(cross(d.points[t[1]] - d.points[t[0]], d.points[t[2]] - d.points[t[0]])) / 2; }
+    for (const auto& t : d.triangles)
+    {
+      area += norm(cross(d.points[t[1]] - d.points[t[0]], d.points[t[2]] - d.points[t[0]])) / 2;
+    }
     areas.push_back(area);
     charts.push_back({&d.triangles, pipeline::map(d).at, area});
   }
@@ -412,7 +469,8 @@ BOOST_AUTO_TEST_CASE(charts_are_packed_side_by_side_at_one_scale)
     BOOST_TEST(recount_flips(discs[i].triangles, charts[i].at) == 0);
     const double image = area_of(discs[i].triangles, charts[i].at);
     covered += image;
-    BOOST_TEST(image / areas[i] == area_of(discs[0].triangles, charts[0].at) / areas[0], boost::test_tools::tolerance(1e-9));
+    BOOST_TEST(image / areas[i] == area_of(discs[0].triangles, charts[0].at) / areas[0],
+               boost::test_tools::tolerance(1e-9));
     std::array<double, 4> box{1, 1, 0, 0};
     for (const Plane_point& p : charts[i].at)
       for (int k = 0; k < 2; ++k)
@@ -422,7 +480,10 @@ BOOST_AUTO_TEST_CASE(charts_are_packed_side_by_side_at_one_scale)
         box[k] = std::min(box[k], p[k]);
         box[k + 2] = std::max(box[k + 2], p[k]);
       }
-    for (const auto& other : boxes) { BOOST_TEST((box[2] < other[0] || other[2] < box[0] || box[3] < other[1] || other[3] < box[1])); }
+    for (const auto& other : boxes)
+    {
+      BOOST_TEST((box[2] < other[0] || other[2] < box[0] || box[3] < other[1] || other[3] < box[1]));
+    }
     boxes.push_back(box);
   }
   BOOST_TEST(covered > 0.5); // rectangles all, so there is no excuse
@@ -454,7 +515,11 @@ BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
   const Result_mesh& mesh = run.assembled.mesh;
   const auto expect = [&](const Result_mesh& m, const std::vector<Plane_point>& at, const std::string& text) {
     const Verification v = verify_unwrapping(soup, m, at);
-    if (text.empty()) { BOOST_TEST(v.failures.size() == 0u); return; }
+    if (text.empty())
+    {
+      BOOST_TEST(v.failures.size() == 0u);
+      return;
+    }
     BOOST_TEST_REQUIRE(v.failures.size() > 0u);
     BOOST_TEST(v.failures.front().find(text) != std::string::npos, v.failures.front());
   };

@@ -101,15 +101,22 @@ BOOST_FIXTURE_TEST_CASE(generators_are_written_reported_and_verified_from_their_
   BOOST_TEST(component["is_basis"] == true);
   BOOST_TEST(component["generators"].size() == 2u);
   for (const auto& pair : component["generators"])
-    for (const char* key : {"handle", "meridian", "longitude", "class", "bounding_box", "centre"}) { BOOST_TEST(pair.contains(key), key); }
+    for (const char* key : {"handle", "meridian", "longitude", "class", "bounding_box", "centre"})
+    {
+      BOOST_TEST(pair.contains(key), key);
+    }
   const std::string text = program::read(folder() / "out.obj");
-  for (const char* group : {"g meridian_0", "g longitude_0", "g meridian_1", "g longitude_1", "g boundary_0"}) { BOOST_TEST(contains(text, group), group); }
+  for (const char* group : {"g meridian_0", "g longitude_0", "g meridian_1", "g longitude_1", "g boundary_0"})
+  {
+    BOOST_TEST(contains(text, group), group);
+  }
   const auto verify = meridian("verify two.obj out.obj --report w.json");
   BOOST_TEST(verify.status == 0, verify.error);
   BOOST_TEST(json("w.json")["components"][0]["intersection_matrix"] == "symplectic");
   // The same bytes again, and a changed curve is found.
   BOOST_REQUIRE(meridian("generators two.obj -o again.obj --quiet").status == 0);
-  BOOST_TEST((program::read(folder() / "again.obj") == text && program::read(folder() / "again.map.json") == program::read(folder() / "out.map.json")));
+  BOOST_TEST((program::read(folder() / "again.obj") == text
+              && program::read(folder() / "again.map.json") == program::read(folder() / "out.map.json")));
   std::string changed = text;
   changed.replace(changed.find("g longitude_0"), 13, "g longitude_9");
   write("again.obj", changed);
@@ -120,7 +127,9 @@ BOOST_FIXTURE_TEST_CASE(generators_are_written_reported_and_verified_from_their_
   BOOST_TEST(meridian("verify two.obj basis.obj").status == 0);
   BOOST_TEST(meridian("generators two.obj -o loose.obj --no-tighten --longitudes arc --quiet").status == 0);
   BOOST_TEST(meridian("verify two.obj loose.obj").status == 0);
-  BOOST_TEST(meridian("generators two.obj -o open.obj --mode open --complex --curves o.obj --report o.json --quiet").status == 0);
+  BOOST_TEST(
+    meridian("generators two.obj -o open.obj --mode open --complex --curves o.obj --report o.json --quiet").status
+    == 0);
   BOOST_TEST(meridian("verify two.obj open.obj").status == 0);
   BOOST_TEST(json("o.json")["components"][0]["field"]["mode"] == "open");
   BOOST_TEST(contains(program::read(folder() / "o.obj"), "g flow_line_0"));
@@ -138,7 +147,8 @@ BOOST_FIXTURE_TEST_CASE(nested_and_linked_tori_have_the_classes_of_one, Fixture)
   };
   Triangle_surface link = sample::rotated(sample::torus(24, 12), sample::pi / 2, 0); // through the hole of the other
   for (Point& p : link.points) { p[0] += 3; }
-  for (const Triangle_surface& s : {joined(sample::torus(24, 12), sample::torus(24, 12, 3, 0.4)), joined(sample::torus(24, 12), link)})
+  for (const Triangle_surface& s :
+       {joined(sample::torus(24, 12), sample::torus(24, 12, 3, 0.4)), joined(sample::torus(24, 12), link)})
   {
     write("two.obj", obj(s));
     BOOST_TEST(meridian("generators two.obj -o out.obj --report r.json --quiet").status == 0);
@@ -163,7 +173,8 @@ BOOST_FIXTURE_TEST_CASE(every_component_has_its_own_extrema, Fixture)
   const auto lengths = [&](const std::string& options) {
     BOOST_REQUIRE(meridian("cut both.obj -o x.off --report r.json --quiet" + options).status == 0);
     const auto report = json("r.json");
-    return std::pair(report["components"][0]["cut"]["length"].get<double>(), report["components"][1]["cut"]["length"].get<double>());
+    return std::pair(report["components"][0]["cut"]["length"].get<double>(),
+                     report["components"][1]["cut"]["length"].get<double>());
   };
   // Extrema beside each other on the first component change its cut, and not the other's.
   const auto by_default = lengths(""), chosen = lengths(" --minimum 0 --maximum 1");
@@ -175,7 +186,11 @@ BOOST_FIXTURE_TEST_CASE(every_method_of_a_cut_is_verified, Fixture)
 {
   for (const char* method : {"generators", "generators --join complex", "generators --join saddles", "morse"})
   {
-    BOOST_TEST(meridian(std::string("cut mesh.obj -o out.ply --report r.json --curves c.obj --view v.html --method ") + method).status == 0, method);
+    BOOST_TEST(
+      meridian(std::string("cut mesh.obj -o out.ply --report r.json --curves c.obj --view v.html --method ") + method)
+          .status
+        == 0,
+      method);
     BOOST_TEST(meridian("verify mesh.obj out.ply").status == 0, method);
   }
   BOOST_TEST(meridian("cut mesh.obj -o out.ply --method morse --join complex").status == 64);
@@ -208,9 +223,11 @@ BOOST_FIXTURE_TEST_CASE(an_interrupted_run_leaves_no_file, Fixture)
   const std::size_t before = number_of_files();
   for (const char* delay : {"0.05", "0.3", "0.6"})
   {
-    const auto r = shell(std::string("timeout -s INT ") + delay + " '" MERIDIAN_PROGRAM "' cut large.obj -o out.obj --report r.json --view v.html");
+    const auto r = shell(std::string("timeout -s INT ") + delay
+                         + " '" MERIDIAN_PROGRAM "' cut large.obj -o out.obj --report r.json --view v.html");
     BOOST_TEST((number_of_files() == before || r.status == 0));
-    const auto killed = shell(std::string("timeout -s KILL ") + delay + " '" MERIDIAN_PROGRAM "' cut large.obj -o out.obj --report r.json");
+    const auto killed = shell(std::string("timeout -s KILL ") + delay
+                              + " '" MERIDIAN_PROGRAM "' cut large.obj -o out.obj --report r.json");
     BOOST_TEST((number_of_files() == before || killed.status == 0));
     shell("rm -f out.* r.json v.html");
   }
@@ -218,10 +235,13 @@ BOOST_FIXTURE_TEST_CASE(an_interrupted_run_leaves_no_file, Fixture)
 
 BOOST_FIXTURE_TEST_CASE(wrong_usage_has_its_own_status, Fixture)
 {
-  for (const char* arguments : {"", "frobnicate", "cut mesh.obj", "cut -o x.off", "cut mesh.obj -o x.off --weights heavy", "cut mesh.obj -o x.off --minimum 99999999 --maximum 1",
-                                "cut mesh.obj -o x.off --minimum 3", "cut mesh.obj -o x.off --minimum 3 --maximum 3", "cut mesh.obj -o x.off --direction 1 0 0",
-                                "cut mesh.obj -o x.off --links plane --bifurcations", "cut mesh.obj -o mesh.obj", "cut mesh.obj -o x.off --report x.off",
-                                "cut mesh.obj -o x.off --report ./x.map.json", "cut mesh.obj -o x.off --view v.html --curves v.html", "cut mesh.obj -o x.off --source -7", "verify mesh.obj"})
+  for (const char* arguments :
+       {"", "frobnicate", "cut mesh.obj", "cut -o x.off", "cut mesh.obj -o x.off --weights heavy",
+        "cut mesh.obj -o x.off --minimum 99999999 --maximum 1", "cut mesh.obj -o x.off --minimum 3",
+        "cut mesh.obj -o x.off --minimum 3 --maximum 3", "cut mesh.obj -o x.off --direction 1 0 0",
+        "cut mesh.obj -o x.off --links plane --bifurcations", "cut mesh.obj -o mesh.obj",
+        "cut mesh.obj -o x.off --report x.off", "cut mesh.obj -o x.off --report ./x.map.json",
+        "cut mesh.obj -o x.off --view v.html --curves v.html", "cut mesh.obj -o x.off --source -7", "verify mesh.obj"})
   {
     const auto r = meridian(arguments);
     BOOST_TEST(r.status == 64, arguments);
@@ -234,7 +254,10 @@ BOOST_FIXTURE_TEST_CASE(wrong_usage_has_its_own_status, Fixture)
 
 BOOST_FIXTURE_TEST_CASE(links_are_followed_and_other_files_are_left_alone, Fixture)
 {
-  BOOST_TEST(shell("mkfifo blocked.off; timeout -s TERM -k 5 0.2 '" MERIDIAN_PROGRAM "' cut blocked.off -o y.off").status == 124); // ended while reading
+  // ended while reading
+  BOOST_TEST(
+    shell("mkfifo blocked.off; timeout -s TERM -k 5 0.2 '" MERIDIAN_PROGRAM "' cut blocked.off -o y.off").status
+    == 124);
   shell("echo old >target.json; ln -s target.json link.json; mkfifo pipe.json");
   BOOST_TEST(meridian("cut mesh.obj -o x.off --report link.json --quiet").status == 0);
   BOOST_TEST(json("target.json")["verified"] == true);
@@ -259,7 +282,8 @@ BOOST_FIXTURE_TEST_CASE(extreme_coordinates_are_cut_and_verified, Fixture)
     for (const char* weights : {"positive", "cotangent"})
     {
       write("extreme.obj", obj(sample::scaled(sample::noisy(sample::torus(14, 9), 0.1, 1), size)));
-      const auto r = meridian(std::string("cut extreme.obj -o x.off --report r.json --view v.html --weights ") + weights);
+      const auto r =
+        meridian(std::string("cut extreme.obj -o x.off --report r.json --view v.html --weights ") + weights);
       BOOST_TEST(r.status == 0, size << " " << weights << ": " << r.error);
       BOOST_TEST(meridian("verify extreme.obj x.off").status == 0);
       BOOST_TEST(json("r.json")["components"][0]["cut"]["length"].get<double>() / size > 10);
@@ -277,8 +301,9 @@ BOOST_FIXTURE_TEST_CASE(info_counts_and_goes_on_after_a_bad_file, Fixture)
 
 BOOST_FIXTURE_TEST_CASE(every_option_of_cut_gives_a_verified_result, Fixture)
 {
-  for (const char* options : {"--weights cotangent", "--weights mean-value", "--prefer mean-curvature", "--prefer length", "--prefer position --direction 1 0 0",
-                              "--minimum 5 --maximum 100 101", "--links plane", "--bifurcations", "--source 77", "--links plane --prefer length"})
+  for (const char* options : {"--weights cotangent", "--weights mean-value", "--prefer mean-curvature",
+                              "--prefer length", "--prefer position --direction 1 0 0", "--minimum 5 --maximum 100 101",
+                              "--links plane", "--bifurcations", "--source 77", "--links plane --prefer length"})
   {
     const auto r = meridian(std::string("cut mesh.obj -o x.off --report x.json ") + options);
     BOOST_TEST(r.status == 0, options << ": " << r.error);
@@ -305,9 +330,14 @@ BOOST_FIXTURE_TEST_CASE(choices_are_verified_and_reported, Fixture)
   const auto vertices = files::read_mesh((folder() / "mesh.obj").string()).points.size();
   for (std::size_t v = 0; v < vertices; ++v) { numbers += std::to_string(v % 17) + (v % 5 ? " " : " # a comment\n"); }
   write("values.txt", numbers);
-  for (const auto& [option, kind] : {std::pair("--field eigenfunction", "eigenfunction 3"), {"--field distance --from 5", "distance"}, {"--values values.txt", "given"},
-                                     {"--method geodesic", "distance"}, {"--extrema curved --weights intrinsic-delaunay", "harmonic"}, {"--method tree-cotree --bases 2", "none"},
-                                     {"--prefer hidden --direction 1e200 0 1e200", "harmonic"}, {"--prefer weights --vertex-weights values.txt --levels tight", "harmonic"},
+  for (const auto& [option, kind] : {std::pair("--field eigenfunction", "eigenfunction 3"),
+                                     {"--field distance --from 5", "distance"},
+                                     {"--values values.txt", "given"},
+                                     {"--method geodesic", "distance"},
+                                     {"--extrema curved --weights intrinsic-delaunay", "harmonic"},
+                                     {"--method tree-cotree --bases 2", "none"},
+                                     {"--prefer hidden --direction 1e200 0 1e200", "harmonic"},
+                                     {"--prefer weights --vertex-weights values.txt --levels tight", "harmonic"},
                                      {"--method morse --field eigenfunction", "eigenfunction 3"}})
   {
     const auto cut = meridian(std::string("cut mesh.obj -o disc.obj --report r.json ") + option);
@@ -353,12 +383,30 @@ BOOST_FIXTURE_TEST_CASE(choices_that_do_not_go_together_are_wrong_usage, Fixture
   write("v_00.obj", before);
   write("few.txt", "1 2 3");
   write("bad.txt", "1 two");
-  for (const char* wrong :
-       {"--family 0", "--family 2 --report d_01.obj", "--family 2 --curves d.obj", "--values few.txt --report few.txt", "--direction 0 0 0 --prefer position", "--prefer weights",
-        "--direction 1 0 0", "--eigenfunction 3", "--field eigenfunction --weights mean-value", "--field distance --weights cotangent", "--values few.txt --field distance",
-        "--extrema curved --minimum 3 --maximum 9", "--from 3", "--method geodesic --from 100000", "--on-edges --links plane", "--refine-where-needed", "--method tree-cotree --weights cotangent",
-        "--method geometry-image --prefer length", "--method morse --levels tight", "--bases 3", "--method tree-cotree --bases 3 --from 2", "--source 3 --tighten graph",
-        "--method geodesic --extrema curved", "--on-edges --refine-where-needed --tighten graph"})
+  for (const char* wrong : {"--family 0",
+                            "--family 2 --report d_01.obj",
+                            "--family 2 --curves d.obj",
+                            "--values few.txt --report few.txt",
+                            "--direction 0 0 0 --prefer position",
+                            "--prefer weights",
+                            "--direction 1 0 0",
+                            "--eigenfunction 3",
+                            "--field eigenfunction --weights mean-value",
+                            "--field distance --weights cotangent",
+                            "--values few.txt --field distance",
+                            "--extrema curved --minimum 3 --maximum 9",
+                            "--from 3",
+                            "--method geodesic --from 100000",
+                            "--on-edges --links plane",
+                            "--refine-where-needed",
+                            "--method tree-cotree --weights cotangent",
+                            "--method geometry-image --prefer length",
+                            "--method morse --levels tight",
+                            "--bases 3",
+                            "--method tree-cotree --bases 3 --from 2",
+                            "--source 3 --tighten graph",
+                            "--method geodesic --extrema curved",
+                            "--on-edges --refine-where-needed --tighten graph"})
   {
     const auto r = meridian(std::string("cut mesh.obj -o d.obj ") + wrong);
     BOOST_TEST_CONTEXT(wrong)
@@ -370,7 +418,9 @@ BOOST_FIXTURE_TEST_CASE(choices_that_do_not_go_together_are_wrong_usage, Fixture
   }
   BOOST_TEST(meridian("cut v_00.obj -o v.obj --family 2").status == 64);
   BOOST_TEST((program::read(folder() / "v_00.obj") == before));
-  for (const char* unusable : {"--values few.txt", "--values bad.txt", "--values none.txt", "--prefer weights --vertex-weights bad.txt", "--field eigenfunction --eigenfunction 100000"})
+  for (const char* unusable :
+       {"--values few.txt", "--values bad.txt", "--values none.txt", "--prefer weights --vertex-weights bad.txt",
+        "--field eigenfunction --eigenfunction 100000"})
     BOOST_TEST(meridian(std::string("cut mesh.obj -o d.obj ") + unusable).status == 1);
   BOOST_TEST(program::read(folder() / "few.txt") == "1 2 3");
 }

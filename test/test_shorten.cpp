@@ -43,8 +43,8 @@ Triangle_surface holed_plate(int genus, int seed)
   return seed % 2 == 0 ? s : sample::punctured(s, {30, s.number_of_vertices() / 2, s.number_of_vertices() - 9});
 }
 
-// Two equilateral triangles of side 1, divided `n` times along each side and glued along their sides, without `hole` rows of faces at
-// each corner.
+// Two equilateral triangles of side 1, divided `n` times along each side and glued along their sides, without `hole`
+// rows of faces at each corner.
 Triangle_surface pillow(int n, int hole)
 {
   std::map<std::array<int, 3>, Index> number; // barycentric coordinates, and the side for what is inside
@@ -61,9 +61,11 @@ Triangle_surface pillow(int n, int hole)
         for (const bool up : {true, false})
         {
           if (!up && i + j + 2 > n) { continue; }
-          if (std::max({i, j, n - i - j - (up ? 1 : 2)}) >= n - hole) { continue; } // its row, counted towards each corner
-          std::array<Index, 3> t = up ? std::array<Index, 3>{vertex(i, j, side), vertex(i + 1, j, side), vertex(i, j + 1, side)}
-                                      : std::array<Index, 3>{vertex(i + 1, j, side), vertex(i + 1, j + 1, side), vertex(i, j + 1, side)};
+          // its row, counted towards each corner
+          if (std::max({i, j, n - i - j - (up ? 1 : 2)}) >= n - hole) { continue; }
+          std::array<Index, 3> t =
+            up ? std::array<Index, 3>{vertex(i, j, side), vertex(i + 1, j, side), vertex(i, j + 1, side)}
+               : std::array<Index, 3>{vertex(i + 1, j, side), vertex(i + 1, j + 1, side), vertex(i, j + 1, side)};
           if (side == 1) { std::swap(t[1], t[2]); }
           s.triangles.push_back(t);
         }
@@ -78,11 +80,16 @@ std::vector<std::vector<Index>> orders_of(const Normal_curves& curves)
   for (Index e = 0; e < curves.surface().number_of_halfedges(); ++e)
   {
     auto& here = all.emplace_back();
-    for (Index x : curves.on(e)) { here.insert(here.end(), {x, curves[x].halfedge, curves[x].curve, curves[x].prev, curves[x].next, curves[x].place}); }
+    for (Index x : curves.on(e))
+    {
+      here.insert(here.end(),
+                  {x, curves[x].halfedge, curves[x].curve, curves[x].prev, curves[x].next, curves[x].place});
+    }
     here.push_back(curves.along(e));
   }
   for (Index c = 0; c < curves.number_of_curves(); ++c)
-    all.push_back({curves.nearest({c, false}), curves.nearest({c, true}), curves.vertex({c, false}), curves.vertex({c, true})});
+    all.push_back(
+      {curves.nearest({c, false}), curves.nearest({c, true}), curves.vertex({c, false}), curves.vertex({c, true})});
   return all;
 }
 
@@ -107,8 +114,8 @@ BOOST_DATA_TEST_CASE(a_shortened_cut_graph_leaves_a_disc, data::xrange(0, 5) * d
   }
 }
 
-// Known answer: the shortest graph with one vertex that joins the corners of an equilateral triangle has it in the middle (Fermat,
-// Torricelli), wherever it begins.
+// Known answer: the shortest graph with one vertex that joins the corners of an equilateral triangle has it in the
+// middle (Fermat, Torricelli), wherever it begins.
 BOOST_DATA_TEST_CASE(the_graph_of_a_pillow_is_steiners_tree, data::xrange(4), start)
 {
   constexpr int n = 24, hole = 3;
@@ -118,7 +125,10 @@ BOOST_DATA_TEST_CASE(the_graph_of_a_pillow_is_steiners_tree, data::xrange(4), st
   // The shortest paths along edges from some vertex to the three holes.
   const Point from = std::array<Point, 4>{{{0.3, 0.1, 0}, {0.7, 0.1, 0}, {0.5, 0.6, 0}, {0.55, 0.3, 0}}}[start];
   Index center = 0;
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { if (distance(s.points[v], from) < distance(s.points[center], from)) { center = v; } }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    if (distance(s.points[v], from) < distance(s.points[center], from)) { center = v; }
+  }
   std::vector<Index> by(s.number_of_vertices(), -1), queue{center}, edges;
   std::vector<char> seen(s.number_of_vertices(), 0);
   seen[center] = 1;
@@ -147,7 +157,8 @@ BOOST_DATA_TEST_CASE(the_graph_of_a_pillow_is_steiners_tree, data::xrange(4), st
   BOOST_TEST(curves.size() == 3u);
 }
 
-// Known answer: the cut graph of a torus of revolution that no move shortens is not longer than a tube and an inner circle.
+// Known answer: the cut graph of a torus of revolution that no move shortens is not longer than a tube and an inner
+// circle.
 BOOST_AUTO_TEST_CASE(the_graph_of_a_torus_is_a_meridian_and_the_inner_circle)
 {
   const auto s = sample::torus(60, 24, 3, 1);
@@ -189,11 +200,11 @@ BOOST_AUTO_TEST_CASE(shortening_does_not_depend_on_units_and_little_on_numbers)
 // Faces without area, points in one place, needles: distances tie, and still nothing crosses.
 BOOST_DATA_TEST_CASE(shortening_stands_bad_shapes, data::xrange(8) * data::xrange(5), base, shape)
 {
-  for (auto s : {sample::plate(1, 3), sample::plate(2, 2), sample::punctured(sample::plate(1, 2), {12}), sample::torus(5, 4)})
+  for (auto s :
+       {sample::plate(1, 3), sample::plate(2, 2), sample::punctured(sample::plate(1, 2), {12}), sample::torus(5, 4)})
   {
     for (Point& p : s.points)
-      for (double& x : p)
-        switch (shape)
+      for (double& x : p) switch (shape)
         {
         case 0: x = std::floor(x + 0.5); break;
         case 1: x = 0; break;
@@ -242,7 +253,9 @@ BOOST_AUTO_TEST_CASE(crossing_open_curves_are_counted)
   // Another curve that cuts off a corner at one end of the side: it must pass on that side of the first.
   const Index in = s.opposite[s.next(h)];
   const Index out = s.prev(o);
-  const auto add = [&](Index place) { return curves.add(s.apex(in), s.apex(s.opposite[out]), {{in, 0, 0.5}, {h, place, 0.5}, {out, 0, 0.5}}); };
+  const auto add = [&](Index place) {
+    return curves.add(s.apex(in), s.apex(s.opposite[out]), {{in, 0, 0.5}, {h, place, 0.5}, {out, 0, 0.5}});
+  };
   const bool target_is_end = s.edge(h) == h;
   {
     Normal_curves::Trial trial(curves);
@@ -308,9 +321,15 @@ BOOST_AUTO_TEST_CASE(seam_paths_hold_every_edge_once)
   const auto s = holed_plate(3, 1);
   const auto edges = cut_by_removing_faces(s, 3);
   std::vector<std::array<Index, 2>> expected, found;
-  for (Index e : edges) { expected.push_back({std::min(s.source(e), s.target(e)), std::max(s.source(e), s.target(e))}); }
+  for (Index e : edges)
+  {
+    expected.push_back({std::min(s.source(e), s.target(e)), std::max(s.source(e), s.target(e))});
+  }
   for (const auto& path : paths_of(s, edges))
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) { found.push_back({std::min(path[i], path[i + 1]), std::max(path[i], path[i + 1])}); }
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+    {
+      found.push_back({std::min(path[i], path[i + 1]), std::max(path[i], path[i + 1])});
+    }
   std::sort(expected.begin(), expected.end());
   std::sort(found.begin(), found.end());
   BOOST_TEST((expected == found));

@@ -28,14 +28,20 @@ BOOST_AUTO_TEST_CASE(twins_run_in_opposite_directions_and_fans_are_whole)
 {
   const auto s = sample::punctured(sample::plate(2), {17});
   std::vector<int> faces_around(s.number_of_vertices(), 0), counted(s.number_of_vertices(), 0);
-  for (const auto& t : s.triangles) { for (Index v : t) { ++counted[v]; } }
+  for (const auto& t : s.triangles)
+  {
+    for (Index v : t) { ++counted[v]; }
+  }
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
     if (s.opposite[h] < 0) { continue; }
     BOOST_REQUIRE(s.opposite[s.opposite[h]] == h);
     BOOST_REQUIRE(s.source(h) == s.target(s.opposite[h]));
   }
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { s.for_each_outgoing(v, [&](Index) { ++faces_around[v]; }); }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    s.for_each_outgoing(v, [&](Index) { ++faces_around[v]; });
+  }
   BOOST_TEST(faces_around == counted, boost::test_tools::per_element());
 }
 
@@ -57,7 +63,9 @@ BOOST_AUTO_TEST_CASE(gaussian_curvature_adds_up_to_two_pi_times_the_euler_charac
     for (Index v = 0; v < s.number_of_vertices(); ++v)
     {
       double around = 0;
-      s.for_each_outgoing(v, [&](Index h) { around += norm(cross(s.points[s.target(h)] - s.points[v], s.points[s.apex(h)] - s.points[v])) / 6; });
+      s.for_each_outgoing(v, [&](Index h) {
+        around += norm(cross(s.points[s.target(h)] - s.points[v], s.points[s.apex(h)] - s.points[v])) / 6;
+      });
       sum += curvature(s, v).gaussian * around;
     }
     BOOST_TEST(sum == 2 * sample::pi * (2 - 2 * genus), boost::test_tools::tolerance(1e-9));
@@ -98,7 +106,9 @@ BOOST_AUTO_TEST_CASE(an_inserted_curve_becomes_seam_edges_and_the_surface_keeps_
     seams += s.seam[h];
     BOOST_REQUIRE(s.seam[h] == s.seam[s.opposite[h]]);
   }
-  BOOST_TEST(seams == 2 * static_cast<Index>(inserted.vertices[0].size() + inserted.vertices[1].size() + inserted.vertices[2].size()));
+  BOOST_TEST(
+    seams
+    == 2 * static_cast<Index>(inserted.vertices[0].size() + inserted.vertices[1].size() + inserted.vertices[2].size()));
   Triangle_surface again;
   again.points = s.points;
   again.triangles = s.triangles;

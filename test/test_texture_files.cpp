@@ -26,7 +26,10 @@ struct Obj_folder : Folder
     files::read_unwrapped(write(name, bytes), u.mesh, u.texture, u.vertex_of, u.vertices);
     return u;
   }
-  std::string refusal(const std::string& bytes) const { return message_of([&] { read("a.obj", bytes); }); }
+  std::string refusal(const std::string& bytes) const
+  {
+    return message_of([&] { read("a.obj", bytes); });
+  }
 };
 
 } // namespace
@@ -44,9 +47,11 @@ BOOST_AUTO_TEST_CASE(polygons_are_kept_unless_a_seam_divides_them)
   whole.faces = {{0, 1, 2}, {0, 2, 3}};
   whole.face_of = {0, 0};
   const Texture texture{{0, 0}, {1, 0}, {1, 1}, {0, 0.1}};
-  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 -0\nv 0 0.1 1e-300\n", places = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 0.1\n";
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 -0\nv 0 0.1 1e-300\n",
+                    places = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 0.1\n";
   BOOST_TEST(files::format_unwrapped(soup, whole, texture, "") == points + places + "f 4/4 1/1 2/2 3/3\n");
-  BOOST_TEST(files::format_unwrapped(soup, whole, texture, "m.mtl") == "mtllib m.mtl\n" + points + places + "usemtl checkerboard\nf 4/4 1/1 2/2 3/3\n");
+  BOOST_TEST(files::format_unwrapped(soup, whole, texture, "m.mtl")
+             == "mtllib m.mtl\n" + points + places + "usemtl checkerboard\nf 4/4 1/1 2/2 3/3\n");
 
   Result_mesh divided = whole;
   divided.points.insert(divided.points.end(), {soup.points[0], soup.points[2]});
@@ -54,11 +59,17 @@ BOOST_AUTO_TEST_CASE(polygons_are_kept_unless_a_seam_divides_them)
   divided.faces[1] = {4, 5, 3};
   Texture more = texture;
   more.insert(more.end(), {{0.5, 0.25}, {0.125, 1}});
-  BOOST_TEST(files::format_unwrapped(soup, divided, more, "") == points + places + "vt 0.5 0.25\nvt 0.125 1\nf 1/1 2/2 3/3\nf 1/5 3/6 4/4\n");
+  BOOST_TEST(files::format_unwrapped(soup, divided, more, "")
+             == points + places + "vt 0.5 0.25\nvt 0.125 1\nf 1/1 2/2 3/3\nf 1/5 3/6 4/4\n");
 
-  // Only one end of the diagonal has two places; a triangle is missing; a triangle is turned; the fan is another; there is a part too many.
-  for (const auto& faces : std::vector<std::vector<std::array<Index, 3>>>{
-         {{0, 1, 2}, {4, 2, 3}}, {{0, 1, 2}, {0, 5, 3}}, {{0, 1, 2}}, {{0, 1, 2}, {0, 3, 2}}, {{1, 2, 3}, {1, 3, 0}}, {{0, 1, 2}, {0, 2, 3}, {4, 5, 3}}})
+  // Only one end of the diagonal has two places; a triangle is missing; a triangle is turned; the fan is another; there
+  // is a part too many.
+  for (const auto& faces : std::vector<std::vector<std::array<Index, 3>>>{{{0, 1, 2}, {4, 2, 3}},
+                                                                          {{0, 1, 2}, {0, 5, 3}},
+                                                                          {{0, 1, 2}},
+                                                                          {{0, 1, 2}, {0, 3, 2}},
+                                                                          {{1, 2, 3}, {1, 3, 0}},
+                                                                          {{0, 1, 2}, {0, 2, 3}, {4, 5, 3}}})
   {
     Result_mesh other = divided;
     other.faces = faces;
@@ -81,7 +92,10 @@ BOOST_FIXTURE_TEST_CASE(an_unwrapped_mesh_is_read_back_as_it_was, Obj_folder)
       BOOST_TEST((u.mesh.points == mesh.points));
       BOOST_TEST((u.mesh.faces == mesh.faces));
       BOOST_TEST(u.vertices == std::count(mesh.copy_of.begin(), mesh.copy_of.end(), -1));
-      for (std::size_t v = 0; v < mesh.points.size(); ++v) { BOOST_TEST(u.vertex_of[v] == base(mesh, static_cast<Index>(v))); }
+      for (std::size_t v = 0; v < mesh.points.size(); ++v)
+      {
+        BOOST_TEST(u.vertex_of[v] == base(mesh, static_cast<Index>(v)));
+      }
     }
   };
   const Torus torus = opened_torus(5, 4);
@@ -98,7 +112,8 @@ BOOST_FIXTURE_TEST_CASE(an_unwrapped_mesh_is_read_back_as_it_was, Obj_folder)
     BOOST_REQUIRE(run.verification);
     check(soup, run.assembled.mesh, run.assembled.mesh.faces.size(), random_texture(run.assembled.mesh, 7));
   }
-  // Squares, cut along edges that are theirs or divide them: those with a vertex or a seam inside come as triangles, all others stay.
+  // Squares, cut along edges that are theirs or divide them: those with a vertex or a seam inside come as triangles,
+  // all others stay.
   Polygon_soup squares;
   const Triangle_surface plate = sample::plate(1, 3);
   squares.points = plate.points;
@@ -117,10 +132,16 @@ BOOST_FIXTURE_TEST_CASE(an_unwrapped_mesh_is_read_back_as_it_was, Obj_folder)
   connect(disc);
   const Texture texture = pipeline::map(disc).at;
   std::vector<std::map<Index, Index>> place_of(squares.number_of_polygons()); // of each corner in the plane
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) { for (Index v : mesh.faces[f]) { place_of[mesh.face_of[f]][base(mesh, v)] = v; } }
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+  {
+    for (Index v : mesh.faces[f]) { place_of[mesh.face_of[f]][base(mesh, v)] = v; }
+  }
   const auto is_convex = [&](std::size_t i) {
     const auto at = [&](std::size_t k) { return texture[place_of[i][squares.corner(i, k % 4)]]; };
-    for (std::size_t k = 0; k < 4; ++k) { if (orientation_of(at(k), at(k + 1), at(k + 2)) <= 0) { return false; } }
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      if (orientation_of(at(k), at(k + 1), at(k + 2)) <= 0) { return false; }
+    }
     return true;
   };
   std::vector<std::set<Index>> corners(squares.number_of_polygons());
@@ -144,7 +165,8 @@ BOOST_FIXTURE_TEST_CASE(an_unwrapped_mesh_is_read_back_as_it_was, Obj_folder)
 BOOST_FIXTURE_TEST_CASE(obj_of_other_programs_is_read, Obj_folder)
 {
   // Normals, negative indices, a third texture coordinate, a texture vertex that only stands beside its vertex, and CR.
-  const Unwrapped u = read("a.obj", "v 0 0 0 1\nv 1 0 0\r\nv 1 1 0\nv 0 1 0\nvt 0 0 0\nvt 1 0\nvt 0.5 1 # a comment\nvt 0 1\nvn 0 0 1\nf 4/3/1 -3/-3/1 -2/1\n");
+  const Unwrapped u = read("a.obj", "v 0 0 0 1\nv 1 0 0\r\nv 1 1 0\nv 0 1 0\nvt 0 0 0\nvt 1 0\nvt 0.5 1 # a "
+                                    "comment\nvt 0 1\nvn 0 0 1\nf 4/3/1 -3/-3/1 -2/1\n");
   BOOST_TEST((u.mesh.faces == std::vector<std::array<Index, 3>>{{2, 1, 0}}));
   BOOST_TEST((u.vertex_of == std::vector<Index>{2, 1, 3, 3}));
   BOOST_TEST((u.mesh.points == std::vector<Point>{{1, 1, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}}));

@@ -30,7 +30,10 @@ std::vector<std::string> lines_of(const std::string& text, const std::string& ke
 {
   std::vector<std::string> lines;
   std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) { if (line.compare(0, key.size() + 1, key + " ") == 0) { lines.push_back(line); } }
+  for (std::string line; std::getline(in, line);)
+  {
+    if (line.compare(0, key.size() + 1, key + " ") == 0) { lines.push_back(line); }
+  }
   return lines;
 }
 
@@ -45,7 +48,8 @@ struct Fixture : program::Workplace
 
 BOOST_FIXTURE_TEST_CASE(an_unwrapping_writes_its_files_and_verify_agrees, Fixture)
 {
-  const auto r = meridian("unwrap mesh.obj -o uv.obj --report report.json --svg layout.svg --png board.png --distortion faces.vtp --curves curves.obj --view page.html");
+  const auto r = meridian("unwrap mesh.obj -o uv.obj --report report.json --svg layout.svg --png board.png "
+                          "--distortion faces.vtp --curves curves.obj --view page.html");
   BOOST_TEST(r.status == 0, r.error);
   BOOST_TEST(r.error == "");
   BOOST_TEST(contains(r.out, "no face is turned over"));
@@ -56,12 +60,16 @@ BOOST_FIXTURE_TEST_CASE(an_unwrapping_writes_its_files_and_verify_agrees, Fixtur
   BOOST_TEST(p["method"] == "symmetric-dirichlet");
   BOOST_TEST(p["flipped"] == 0);
   BOOST_TEST(p["one_to_one"] == true);
-  for (const char* key : {"stretch_l2", "stretch_linf", "conformal", "areal"}) { BOOST_TEST(p[key].get<double>() >= 1); }
+  for (const char* key : {"stretch_l2", "stretch_linf", "conformal", "areal"})
+  {
+    BOOST_TEST(p[key].get<double>() >= 1);
+  }
   for (const char* key : {"angle", "area"}) { BOOST_TEST(p[key].get<double>() > 0); }
   BOOST_TEST(report["texture"]["coverage"].get<double>() > 0.2);
 
   // One v a vertex: the file's first, as they stood.
-  const auto before = lines_of(text("mesh.obj"), "v"), after = lines_of(text("uv.obj"), "v"), coordinates = lines_of(text("uv.obj"), "vt");
+  const auto before = lines_of(text("mesh.obj"), "v"), after = lines_of(text("uv.obj"), "v"),
+             coordinates = lines_of(text("uv.obj"), "vt");
   BOOST_TEST_REQUIRE(after.size() >= before.size());
   for (std::size_t i = 0; i < before.size(); ++i) { BOOST_TEST(before[i] == after[i]); }
   BOOST_TEST(coordinates.size() == report["texture"]["coordinates"]);
@@ -78,9 +86,12 @@ BOOST_FIXTURE_TEST_CASE(an_unwrapping_writes_its_files_and_verify_agrees, Fixtur
   BOOST_TEST(contains(verify.out, "no face is turned over in the plane"));
   BOOST_TEST(json("verified.json")["components"][0]["cut"]["euler_characteristic"] == 1);
 
-  const std::string first = text("uv.obj") + text("uv.map.json") + text("layout.svg") + text("page.html") + text("board.png");
+  const std::string first =
+    text("uv.obj") + text("uv.map.json") + text("layout.svg") + text("page.html") + text("board.png");
   BOOST_TEST(meridian("unwrap mesh.obj -o uv.obj --svg layout.svg --png board.png --view page.html --quiet").out == "");
-  BOOST_TEST((first == text("uv.obj") + text("uv.map.json") + text("layout.svg") + text("page.html") + text("board.png"))); // to the byte
+  // to the byte
+  BOOST_TEST(
+    (first == text("uv.obj") + text("uv.map.json") + text("layout.svg") + text("page.html") + text("board.png")));
 }
 
 BOOST_FIXTURE_TEST_CASE(on_edges_the_mesh_comes_back_unchanged_but_for_its_coordinates, Fixture)
@@ -88,12 +99,19 @@ BOOST_FIXTURE_TEST_CASE(on_edges_the_mesh_comes_back_unchanged_but_for_its_coord
   // Quadrangles and a triangle: a torus of 12 x 8 of them.
   std::string mesh;
   const Triangle_surface t = sample::torus(12, 8);
-  for (const Point& p : t.points) { mesh += "v " + std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n'; }
+  for (const Point& p : t.points)
+  {
+    mesh += "v " + std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
+  }
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j < 8; ++j)
     {
       const auto at = [&](int a, int b) { return std::to_string((a % 12) * 8 + b % 8 + 1); };
-      if (i + j == 0) { mesh += "f " + at(0, 0) + ' ' + at(1, 0) + ' ' + at(1, 1) + "\nf " + at(0, 0) + ' ' + at(1, 1) + ' ' + at(0, 1) + '\n'; }
+      if (i + j == 0)
+      {
+        mesh += "f " + at(0, 0) + ' ' + at(1, 0) + ' ' + at(1, 1) + "\nf " + at(0, 0) + ' ' + at(1, 1) + ' ' + at(0, 1)
+                + '\n';
+      }
       else { mesh += "f " + at(i, j) + ' ' + at(i + 1, j) + ' ' + at(i + 1, j + 1) + ' ' + at(i, j + 1) + '\n'; }
     }
   write("quads.obj", mesh);
@@ -109,7 +127,11 @@ BOOST_FIXTURE_TEST_CASE(on_edges_the_mesh_comes_back_unchanged_but_for_its_coord
     std::istringstream in(faces[next]);
     std::string plain, word;
     while (in >> word) { plain += (plain.empty() ? "" : " ") + word.substr(0, word.find('/')); }
-    if (plain == line) { ++whole; ++next; }
+    if (plain == line)
+    {
+      ++whole;
+      ++next;
+    }
     else { next += 2; } // a seam divides it
   }
   BOOST_TEST(next == faces.size());
@@ -140,9 +162,12 @@ BOOST_FIXTURE_TEST_CASE(a_result_that_was_changed_is_not_verified, Fixture)
 
 BOOST_FIXTURE_TEST_CASE(every_method_of_the_program_is_verified, Fixture)
 {
-  for (const std::string option : {"--parameterization lscm", "--parameterization arap", "--parameterization conformal", "--parameterization authalic --border square",
-                                   "--parameterization mean-value", "--parameterization tutte --border square --on-edges", "--parameterization positive", "--border square",
-                                   "--parameterization stretch --border square", "--border circle", "--family 3", "--family 3 --stretch-weight 1", "--max-stretch 1.02", "--method generators"})
+  for (const std::string option :
+       {"--parameterization lscm", "--parameterization arap", "--parameterization conformal",
+        "--parameterization authalic --border square", "--parameterization mean-value",
+        "--parameterization tutte --border square --on-edges", "--parameterization positive", "--border square",
+        "--parameterization stretch --border square", "--border circle", "--family 3", "--family 3 --stretch-weight 1",
+        "--max-stretch 1.02", "--method generators"})
   {
     const auto r = meridian("unwrap mesh.obj -o uv.obj --report report.json " + option);
     BOOST_TEST(r.status == 0, option + ": " + r.error);
@@ -150,7 +175,10 @@ BOOST_FIXTURE_TEST_CASE(every_method_of_the_program_is_verified, Fixture)
     BOOST_TEST(verify.status == 0, option + ": " + verify.error);
     const auto p = json("report.json")["components"][0]["parameterization"];
     if (contains(option, "--family")) { BOOST_TEST(p["family"].size() == 3u); }
-    if (contains(option, "--border square") && !contains(option, "on-edges")) { BOOST_TEST(p["border"] == "square", option); }
+    if (contains(option, "--border square") && !contains(option, "on-edges"))
+    {
+      BOOST_TEST(p["border"] == "square", option);
+    }
     if (p["attempts"].size() > 1) { BOOST_TEST(contains(r.out, "note: component 0: mapped by"), option); }
   }
 }
@@ -198,7 +226,8 @@ BOOST_FIXTURE_TEST_CASE(two_cuts_are_compared, Fixture)
   BOOST_TEST(c["bound"].get<double>() > 0);
   BOOST_TEST(c["bound"].get<double>() <= c["variation"].get<double>());
   BOOST_TEST(c["maps"].size() == 2u);
-  const auto same = meridian("compare torus.obj --cut a.off --cut 0 --report report.json --quiet"); // the first of the family is the cut as chosen
+  // the first of the family is the cut as chosen
+  const auto same = meridian("compare torus.obj --cut a.off --cut 0 --report report.json --quiet");
   BOOST_TEST(same.status == 0);
   BOOST_TEST(json("report.json")["components"][0]["variation"].get<double>() < 1e-12);
   BOOST_TEST(meridian("compare torus.obj --cut 0 --cut 2 --weights cotangent --quiet").status == 0);
@@ -215,9 +244,11 @@ BOOST_FIXTURE_TEST_CASE(two_cuts_are_compared, Fixture)
 
 BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture)
 {
-  for (const std::string option : {"--parameterization lscm --border circle", "--parameterization tutte --border free", "--geometry-image 33 --on-edges", "--geometry-image 33 --parameterization arap",
-                                   "--geometry-image 33 --border circle", "--png board.jpg", "--distortion faces.obj", "--stretch-weight 2", "--max-stretch 0.5", "--svg uv.obj", "--svg uv.map.json",
-                                   "--png uv.mtl", "--parameterization best"})
+  for (const std::string option :
+       {"--parameterization lscm --border circle", "--parameterization tutte --border free",
+        "--geometry-image 33 --on-edges", "--geometry-image 33 --parameterization arap",
+        "--geometry-image 33 --border circle", "--png board.jpg", "--distortion faces.obj", "--stretch-weight 2",
+        "--max-stretch 0.5", "--svg uv.obj", "--svg uv.map.json", "--png uv.mtl", "--parameterization best"})
   {
     const auto r = meridian("unwrap mesh.obj -o uv.obj " + option);
     BOOST_TEST(r.status == 64, option + ": " + std::to_string(r.status));

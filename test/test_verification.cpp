@@ -18,7 +18,8 @@ struct Fixture
     for (const Point& p : b.points) { input.points.push_back({p[0] + 9, p[1], p[2]}); }
     for (const auto& t : b.triangles)
     {
-      const std::array<Index, 3> moved{t[0] + a.number_of_vertices(), t[1] + a.number_of_vertices(), t[2] + a.number_of_vertices()};
+      const std::array<Index, 3> moved{t[0] + a.number_of_vertices(), t[1] + a.number_of_vertices(),
+                                       t[2] + a.number_of_vertices()};
       input.add_polygon(moved.data(), 3);
     }
     result = pipeline::run(input).assembled.mesh;
@@ -27,7 +28,9 @@ struct Fixture
   {
     const auto v = verify_cut(input, result);
     for (const auto& failure : v.failures) { BOOST_TEST_MESSAGE(failure); }
-    return !v && std::any_of(v.failures.begin(), v.failures.end(), [&](const auto& f) { return f.find(name) != std::string::npos; });
+    return !v && std::any_of(v.failures.begin(), v.failures.end(), [&](const auto& f) {
+      return f.find(name) != std::string::npos;
+    });
   }
   void erase_face(std::size_t f)
   {
@@ -60,8 +63,14 @@ struct Fixture
   {
     std::vector<char> is_rim(result.points.size(), 0);
     std::map<std::pair<Index, Index>, int> uses;
-    for (const auto& f : result.faces) { for (int k = 0; k < 3; ++k) { ++uses[std::minmax(f[k], f[(k + 1) % 3])]; } }
-    for (const auto& [edge, n] : uses) { if (n == 1) { is_rim[edge.first] = is_rim[edge.second] = 1; } }
+    for (const auto& f : result.faces)
+    {
+      for (int k = 0; k < 3; ++k) { ++uses[std::minmax(f[k], f[(k + 1) % 3])]; }
+    }
+    for (const auto& [edge, n] : uses)
+    {
+      if (n == 1) { is_rim[edge.first] = is_rim[edge.second] = 1; }
+    }
     for (std::size_t f = 0; f < result.faces.size(); ++f)
       if (!is_rim[result.faces[f][0]] && !is_rim[result.faces[f][1]]) { return {result.faces[f][0], f}; }
     return {-1, 0};
@@ -96,7 +105,11 @@ BOOST_FIXTURE_TEST_CASE(a_missing_face_is_caught, Fixture)
 BOOST_FIXTURE_TEST_CASE(a_missing_part_of_a_face_is_caught, Fixture)
 {
   for (std::size_t f = 1; f < result.faces.size(); ++f)
-    if (result.face_of[f] == result.face_of[f - 1]) { erase_face(f); break; }
+    if (result.face_of[f] == result.face_of[f - 1])
+    {
+      erase_face(f);
+      break;
+    }
   BOOST_TEST(is_caught("are not divided into a disc"));
 }
 
@@ -111,7 +124,10 @@ BOOST_FIXTURE_TEST_CASE(a_flipped_component_is_caught, Fixture)
 {
   // Turned over with its seams, it is still a disc that glues back: everything else about it is right.
   for (auto& f : result.faces) { std::swap(f[1], f[2]); }
-  for (auto& seam : result.seams) { for (Index& side : seam) { side += side % 3 == 0 ? 2 : side % 3 == 2 ? -2 : 0; } }
+  for (auto& seam : result.seams)
+  {
+    for (Index& side : seam) { side += side % 3 == 0 ? 2 : side % 3 == 2 ? -2 : 0; }
+  }
   BOOST_TEST(is_caught("2 components are turned over"));
   BOOST_TEST(verify_cut(input, result).failures.size() == 1u);
 }
@@ -120,9 +136,15 @@ BOOST_FIXTURE_TEST_CASE(a_doubled_cut_is_caught, Fixture)
 {
   // A face is cut off along one more edge, from the rim inwards.
   std::map<std::pair<Index, Index>, int> uses;
-  for (const auto& f : result.faces) { for (int k = 0; k < 3; ++k) { ++uses[std::minmax(f[k], f[(k + 1) % 3])]; } }
+  for (const auto& f : result.faces)
+  {
+    for (int k = 0; k < 3; ++k) { ++uses[std::minmax(f[k], f[(k + 1) % 3])]; }
+  }
   std::vector<char> is_rim(result.points.size(), 0);
-  for (const auto& [edge, n] : uses) { if (n == 1) { is_rim[edge.first] = is_rim[edge.second] = 1; } }
+  for (const auto& [edge, n] : uses)
+  {
+    if (n == 1) { is_rim[edge.first] = is_rim[edge.second] = 1; }
+  }
   bool done = false;
   for (auto& f : result.faces)
     for (int k = 0; k < 3 && !done; ++k)
@@ -161,7 +183,10 @@ BOOST_FIXTURE_TEST_CASE(a_disconnected_piece_whose_seams_are_listed_is_caught, F
 
 BOOST_FIXTURE_TEST_CASE(a_dropped_component_is_caught, Fixture)
 {
-  for (std::size_t f = result.faces.size(); f-- > 0;) { if (result.component_of[f] == 1) { erase_face(f); } }
+  for (std::size_t f = result.faces.size(); f-- > 0;)
+  {
+    if (result.component_of[f] == 1) { erase_face(f); }
+  }
   BOOST_TEST(is_caught("faces of the input are missing"));
   BOOST_TEST(is_caught("components of the input did not become one disc"));
 }
@@ -180,7 +205,13 @@ BOOST_FIXTURE_TEST_CASE(a_pinched_boundary_is_caught, Fixture)
   for (std::size_t v = 0; v < result.points.size(); ++v)
     if (result.copy_of[v] >= 0)
     {
-      for (auto& f : result.faces) { for (Index& c : f) { if (c == static_cast<Index>(v)) { c = result.copy_of[v]; } } }
+      for (auto& f : result.faces)
+      {
+        for (Index& c : f)
+        {
+          if (c == static_cast<Index>(v)) { c = result.copy_of[v]; }
+        }
+      }
       break;
     }
   BOOST_TEST(is_caught("vertices are pinched"));
@@ -189,7 +220,11 @@ BOOST_FIXTURE_TEST_CASE(a_pinched_boundary_is_caught, Fixture)
 BOOST_FIXTURE_TEST_CASE(copies_of_the_wrong_vertex_are_caught, Fixture)
 {
   for (std::size_t v = 0; v < result.points.size(); ++v)
-    if (result.copy_of[v] >= 0) { result.copy_of[v] = result.copy_of[v] == 0 ? 1 : 0; break; }
+    if (result.copy_of[v] >= 0)
+    {
+      result.copy_of[v] = result.copy_of[v] == 0 ? 1 : 0;
+      break;
+    }
   BOOST_TEST(is_caught("vertices are copies of the wrong vertex"));
 }
 
@@ -212,7 +247,13 @@ BOOST_FIXTURE_TEST_CASE(faces_and_vertices_in_another_order_than_the_input_are_c
 {
   std::swap(result.points[2], result.points[3]);
   std::swap(result.origin[2], result.origin[3]);
-  for (auto& f : result.faces) { for (Index& v : f) { if (v == 2 || v == 3) { v = 5 - v; } } }
+  for (auto& f : result.faces)
+  {
+    for (Index& v : f)
+    {
+      if (v == 2 || v == 3) { v = 5 - v; }
+    }
+  }
   BOOST_TEST(is_caught("vertices do not stand in the order of the input"));
 }
 

@@ -1,5 +1,6 @@
-// Measures cut graphs: what each method gives, and how far that moves when the surface changes. Every answer is recounted before
-// its row is printed. Rows are separated by tabs, the first names the columns, "-" stands for what was not measured.
+// Measures cut graphs: what each method gives, and how far that moves when the surface changes. Every answer is
+// recounted before its row is printed. Rows are separated by tabs, the first names the columns, "-" stands for what was
+// not measured.
 #include "files/read_mesh.h"
 #include "instances.h"
 #include "support/implicit_surfaces.h"
@@ -42,7 +43,12 @@ struct Time_limit : Progress_observer
   Clock::time_point begin = Clock::now();
 };
 
-struct Mesh { std::string name; Triangle_surface surface; int genus, boundary_loops; };
+struct Mesh
+{
+  std::string name;
+  Triangle_surface surface;
+  int genus, boundary_loops;
+};
 
 Mesh make_mesh(std::string name, Triangle_surface s)
 {
@@ -55,18 +61,23 @@ Mesh make_mesh(std::string name, Triangle_surface s)
 Mesh read_largest_component(const char* path)
 {
   Examination e = examine_surface(files::read_mesh(path), true);
-  const auto fewer = [](const auto& a, const auto& b) { return a.surface.number_of_faces() < b.surface.number_of_faces(); };
+  const auto fewer = [](const auto& a, const auto& b) {
+    return a.surface.number_of_faces() < b.surface.number_of_faces();
+  };
   const char* slash = std::strrchr(path, '/');
-  return make_mesh(slash ? slash + 1 : path, std::move(std::max_element(e.components.begin(), e.components.end(), fewer)->surface));
+  return make_mesh(slash ? slash + 1 : path,
+                   std::move(std::max_element(e.components.begin(), e.components.end(), fewer)->surface));
 }
 
 // A cut graph as a shape in space.
 struct Shape
 {
-  double length = 0;           // over the square root of the area
-  double turning = 0;          // in degrees: the mean, over the inner vertices of all paths, of the angle between one segment and the next
+  double length = 0; // over the square root of the area
+  // in degrees: the mean, over the inner vertices of all paths, of the angle between one segment and the next
+  double turning = 0;
   double turning_per_size = 0; // in degrees: the sum of these angles, over the length
-  double bend = 0;             // in degrees: the mean of how much the path turns within the surface: half the difference of the angles beside it
+  // in degrees: the mean of how much the path turns within the surface: half the difference of the angles beside it
+  double bend = 0;
 };
 
 double bend_at(const Refined_surface& s, Index before, Index v, Index after)
@@ -111,7 +122,10 @@ struct Way
     return o;
   }
   std::string name() const // two columns
-  { return std::string(name_of(method)) + (bases == 1 ? ", one base\t" : "\t") + name_of(tightening) + (on_edges ? ", on edges" : ""); }
+  {
+    return std::string(name_of(method)) + (bases == 1 ? ", one base\t" : "\t") + name_of(tightening)
+           + (on_edges ? ", on edges" : "");
+  }
 };
 
 struct Attempt
@@ -140,30 +154,56 @@ Attempt attempt(const Triangle_surface& s, const Way& way, double limit, int run
     const Verification recount = verify_cut(s, *a.cut);
     a.verdict = recount ? "yes" : "WRONG: " + recount.failures.front();
   }
-  catch (const Cancelled&) { a.is_late = true, a.verdict = "took more than " + std::to_string(static_cast<int>(limit)) + " s"; }
-  catch (const Invalid_input_error& e) { a.verdict = std::string("refused: ") + e.what(); }
-  catch (const Solver_error& e) { a.verdict = std::string("not solved: ") + e.what(); }
-  catch (const Internal_error& e) { a.verdict = std::string("WRONG: ") + e.what(); }
+  catch (const Cancelled&)
+  {
+    a.is_late = true, a.verdict = "took more than " + std::to_string(static_cast<int>(limit)) + " s";
+  }
+  catch (const Invalid_input_error& e)
+  {
+    a.verdict = std::string("refused: ") + e.what();
+  }
+  catch (const Solver_error& e)
+  {
+    a.verdict = std::string("not solved: ") + e.what();
+  }
+  catch (const Internal_error& e)
+  {
+    a.verdict = std::string("WRONG: ") + e.what();
+  }
   a.is_wrong = a.verdict.rfind("WRONG", 0) == 0;
   if (a.verdict != "yes") { a.cut.reset(); }
   return a;
 }
 
-void print_mesh(const Mesh& m) { std::printf("%s\t%d\t%d\t%d", m.name.c_str(), m.surface.number_of_faces(), m.genus, m.boundary_loops); }
+void print_mesh(const Mesh& m)
+{
+  std::printf("%s\t%d\t%d\t%d", m.name.c_str(), m.surface.number_of_faces(), m.genus, m.boundary_loops);
+}
 
 const Way all_ways[] = {
-  {Cut_method::CONTOURS, Tightening::NONE}, {Cut_method::CONTOURS, Tightening::CURVES}, {Cut_method::CONTOURS, Tightening::GRAPH},
-  {Cut_method::CONTOURS, Tightening::CURVES, true}, {Cut_method::CONTOURS, Tightening::GRAPH, true},
-  {Cut_method::GENERATORS, Tightening::NONE}, {Cut_method::GENERATORS, Tightening::CURVES}, {Cut_method::GENERATORS, Tightening::GRAPH},
-  {Cut_method::MORSE, Tightening::NONE}, {Cut_method::MORSE, Tightening::GRAPH}, // flow lines stay as they are
-  {Cut_method::GEODESIC, Tightening::NONE}, {Cut_method::GEODESIC, Tightening::CURVES}, {Cut_method::GEODESIC, Tightening::GRAPH},
-  {Cut_method::TREE_COTREE, Tightening::NONE}, {Cut_method::TREE_COTREE, Tightening::GRAPH}, // there are no meridians
-  {Cut_method::GEOMETRY_IMAGE, Tightening::NONE}, {Cut_method::GEOMETRY_IMAGE, Tightening::GRAPH},
+  {Cut_method::CONTOURS, Tightening::NONE},
+  {Cut_method::CONTOURS, Tightening::CURVES},
+  {Cut_method::CONTOURS, Tightening::GRAPH},
+  {Cut_method::CONTOURS, Tightening::CURVES, true},
+  {Cut_method::CONTOURS, Tightening::GRAPH, true},
+  {Cut_method::GENERATORS, Tightening::NONE},
+  {Cut_method::GENERATORS, Tightening::CURVES},
+  {Cut_method::GENERATORS, Tightening::GRAPH},
+  {Cut_method::MORSE, Tightening::NONE},
+  {Cut_method::MORSE, Tightening::GRAPH}, // flow lines stay as they are
+  {Cut_method::GEODESIC, Tightening::NONE},
+  {Cut_method::GEODESIC, Tightening::CURVES},
+  {Cut_method::GEODESIC, Tightening::GRAPH},
+  {Cut_method::TREE_COTREE, Tightening::NONE},
+  {Cut_method::TREE_COTREE, Tightening::GRAPH}, // there are no meridians
+  {Cut_method::GEOMETRY_IMAGE, Tightening::NONE},
+  {Cut_method::GEOMETRY_IMAGE, Tightening::GRAPH},
 };
 
 int measure_methods(const std::vector<Mesh>& meshes, double limit)
 {
-  std::printf("mesh\tfaces\tgenus\tloops\tmethod\ttightening\tseconds\tlength\tturning\tturning_per_size\tbend\tnew_vertices\tsmallest_angle\tverified\n");
+  std::printf("mesh\tfaces\tgenus\tloops\tmethod\ttightening\tseconds\tlength\tturning\tturning_per_size\tbend\tnew_"
+              "vertices\tsmallest_angle\tverified\n");
   int wrong = 0;
   for (const Mesh& mesh : meshes)
   {
@@ -180,8 +220,9 @@ int measure_methods(const std::vector<Mesh>& meshes, double limit)
       if (a.cut)
       {
         const Shape shape = measure_shape(mesh.surface, *a.cut);
-        std::printf("\t%.3g\t%.4g\t%.3g\t%.4g\t%.3g\t%zu\t%.3g", a.seconds, shape.length, shape.turning, shape.turning_per_size, shape.bend,
-                    a.cut->surface.origins.size(), degrees * a.cut->smallest_angle_after);
+        std::printf("\t%.3g\t%.4g\t%.3g\t%.4g\t%.3g\t%zu\t%.3g", a.seconds, shape.length, shape.turning,
+                    shape.turning_per_size, shape.bend, a.cut->surface.origins.size(),
+                    degrees * a.cut->smallest_angle_after);
       }
       else { std::printf("\t-\t-\t-\t-\t-\t-\t-"); }
       std::printf("\t%s\n", a.verdict.c_str());
@@ -192,7 +233,12 @@ int measure_methods(const std::vector<Mesh>& meshes, double limit)
 }
 
 // The shortest of a family, and how many there are.
-struct Shortest { std::optional<Family_member> member; int members = 0, wrong = 0; std::string note = "-"; };
+struct Shortest
+{
+  std::optional<Family_member> member;
+  int members = 0, wrong = 0;
+  std::string note = "-";
+};
 
 Shortest find_shortest_member(const Triangle_surface& s, Tightening tightening, Time_limit& time_limit)
 {
@@ -201,23 +247,35 @@ Shortest find_shortest_member(const Triangle_surface& s, Tightening tightening, 
   options.tightening = tightening;
   options.observer = &time_limit;
   Cut_family family(s, 16, options);
-  while (best.wrong < 3)
-    try
+  while (best.wrong < 3) try
     {
       std::optional<Family_member> member = family.next();
       if (!member) { break; }
       ++best.members;
       if (!best.member || member->cut.length < best.member->cut.length) { best.member = std::move(member); }
     }
-    catch (const Cancelled&) { best.note = "ended by the time limit"; break; }
-    catch (const Internal_error& e) { best.note = std::string("WRONG: ") + e.what(); ++best.wrong; }
-    catch (const std::exception& e) { best.note = e.what(); break; }
+    catch (const Cancelled&)
+    {
+      best.note = "ended by the time limit";
+      break;
+    }
+    catch (const Internal_error& e)
+    {
+      best.note = std::string("WRONG: ") + e.what();
+      ++best.wrong;
+    }
+    catch (const std::exception& e)
+    {
+      best.note = e.what();
+      break;
+    }
   return best;
 }
 
 int measure_families(const std::vector<Mesh>& meshes, double limit)
 {
-  std::printf("mesh\tfaces\tgenus\tloops\ttightening\tmembers\tseconds\tlength\tturning\tturning_per_size\tturning_tree_cotree\tturning_geometry_image\t"
+  std::printf("mesh\tfaces\tgenus\tloops\ttightening\tmembers\tseconds\tlength\tturning\tturning_per_size\tturning_"
+              "tree_cotree\tturning_geometry_image\t"
               "ratio_tree_cotree\tratio_geometry_image\tper_size_ratio_tree_cotree\tper_size_ratio_geometry_image\t"
               "bend\tbend_ratio_tree_cotree\tbend_ratio_geometry_image\tshortest\tnote\n");
   int wrong = 0;
@@ -226,7 +284,8 @@ int measure_families(const std::vector<Mesh>& meshes, double limit)
     Shape plain[2];
     for (int i = 0; i < 2; ++i)
     {
-      const Attempt a = attempt(mesh.surface, {i == 0 ? Cut_method::TREE_COTREE : Cut_method::GEOMETRY_IMAGE, Tightening::NONE}, limit, 1);
+      const Attempt a = attempt(
+        mesh.surface, {i == 0 ? Cut_method::TREE_COTREE : Cut_method::GEOMETRY_IMAGE, Tightening::NONE}, limit, 1);
       wrong += a.is_wrong;
       if (a.cut) { plain[i] = measure_shape(mesh.surface, *a.cut); }
     }
@@ -238,7 +297,8 @@ int measure_families(const std::vector<Mesh>& meshes, double limit)
       print_mesh(mesh);
       std::printf("\t%s\t%d\t%.3g", name_of(tightening), best.members, seconds_since(time_limit.begin));
       const Shape shape = best.member ? measure_shape(mesh.surface, best.member->cut) : Shape();
-      std::printf("\t%.4g\t%.3g\t%.4g\t%.3g\t%.3g", shape.length, shape.turning, shape.turning_per_size, plain[0].turning, plain[1].turning);
+      std::printf("\t%.4g\t%.3g\t%.4g\t%.3g\t%.3g", shape.length, shape.turning, shape.turning_per_size,
+                  plain[0].turning, plain[1].turning);
       for (double Shape::*angle : {&Shape::turning, &Shape::turning_per_size})
         for (const Shape& p : plain) { std::printf("\t%.3f", shape.*angle / p.*angle); }
       std::printf("\t%.3g", shape.bend);
@@ -254,7 +314,10 @@ using Segments = std::vector<std::array<Point, 2>>;
 Segments segments_of(const Triangle_surface& s, const Disc_cut& cut)
 {
   Segments segments;
-  for (const auto& seam : cut.opened.seams) { segments.push_back({s.points[cut.surface.source(seam[0])], s.points[cut.surface.target(seam[0])]}); }
+  for (const auto& seam : cut.opened.seams)
+  {
+    segments.push_back({s.points[cut.surface.source(seam[0])], s.points[cut.surface.target(seam[0])]});
+  }
   return segments;
 }
 
@@ -275,10 +338,18 @@ double mean_distance(const Segments& from, const Segments& to)
   }
   return length > 0 ? sum / length : 0;
 }
-double distance_between(const Segments& a, const Segments& b) { return (mean_distance(a, b) + mean_distance(b, a)) / 2; }
+double distance_between(const Segments& a, const Segments& b)
+{
+  return (mean_distance(a, b) + mean_distance(b, a)) / 2;
+}
 
 // A surface that was changed, and how it was turned.
-struct Changed { const char* change; Triangle_surface surface; double a = 0, b = 0; };
+struct Changed
+{
+  const char* change;
+  Triangle_surface surface;
+  double a = 0, b = 0;
+};
 
 // The places of a cut of a changed surface, turned back.
 Segments segments_turned_back(const Changed& changed, const Disc_cut& cut)
@@ -291,7 +362,8 @@ Segments segments_turned_back(const Changed& changed, const Disc_cut& cut)
 std::vector<Changed> change(const Triangle_surface& s)
 {
   std::vector<Changed> all;
-  for (const auto& [a, b] : {std::pair<double, double>{0.3, 0.7}, {1.1, 2}, {2.5, 0.4}, {sample::pi / 2, 0.1}, {0, 1.3}})
+  for (const auto& [a, b] :
+       {std::pair<double, double>{0.3, 0.7}, {1.1, 2}, {2.5, 0.4}, {sample::pi / 2, 0.1}, {0, 1.3}})
     all.push_back({"rotated", sample::rotated(s, a, b), a, b});
   for (unsigned seed = 1; seed <= 5; ++seed) { all.push_back({"renumbered", sample::renumbered(s, seed)}); }
   all.push_back({"subdivided", sample::subdivided(s)});
@@ -304,21 +376,32 @@ Triangle_surface bitorus_with_handle_at(int cells, int place)
 {
   const double side = place % 2 == 0 ? 1 : -1, angle = place / 2 - 1;
   const auto distance_from = [=](const Point& p) {
-    const double x = side * p[0] - 1.05, turned_x = std::cos(angle) * x + std::sin(angle) * p[1], turned_y = std::cos(angle) * p[1] - std::sin(angle) * x;
-    return sample::blend(sample::bitorus_distance(p), sample::ring({p[2] - 0.32, turned_x - 0.8, turned_y}, 0.14, 0.055), 0.04);
+    const double x = side * p[0] - 1.05, turned_x = std::cos(angle) * x + std::sin(angle) * p[1],
+                 turned_y = std::cos(angle) * p[1] - std::sin(angle) * x;
+    return sample::blend(sample::bitorus_distance(p),
+                         sample::ring({p[2] - 0.32, turned_x - 0.8, turned_y}, 0.14, 0.055), 0.04);
   };
   return sample::isosurface(distance_from, 2.4, cells);
 }
 
 const Way stable_ways[] = {
-  {Cut_method::CONTOURS, Tightening::NONE}, {Cut_method::CONTOURS, Tightening::CURVES}, {Cut_method::CONTOURS, Tightening::GRAPH},
+  {Cut_method::CONTOURS, Tightening::NONE},
+  {Cut_method::CONTOURS, Tightening::CURVES},
+  {Cut_method::CONTOURS, Tightening::GRAPH},
   {Cut_method::GEODESIC, Tightening::CURVES},
-  {Cut_method::TREE_COTREE, Tightening::NONE, false, 1}, {Cut_method::TREE_COTREE, Tightening::NONE}, {Cut_method::TREE_COTREE, Tightening::GRAPH},
-  {Cut_method::GEOMETRY_IMAGE, Tightening::NONE}, {Cut_method::GEOMETRY_IMAGE, Tightening::GRAPH},
+  {Cut_method::TREE_COTREE, Tightening::NONE, false, 1},
+  {Cut_method::TREE_COTREE, Tightening::NONE},
+  {Cut_method::TREE_COTREE, Tightening::GRAPH},
+  {Cut_method::GEOMETRY_IMAGE, Tightening::NONE},
+  {Cut_method::GEOMETRY_IMAGE, Tightening::GRAPH},
 };
 
 // How much cuts changed, in percent: their length, and their place over the square root of the area.
-struct Moves { std::vector<double> length, place; int missing = 0; };
+struct Moves
+{
+  std::vector<double> length, place;
+  int missing = 0;
+};
 
 void print_moves(const char* surface, int faces, const char* change, const Way& way, const Moves& m)
 {
@@ -328,8 +411,13 @@ void print_moves(const char* surface, int faces, const char* change, const Way& 
   std::printf("\t%.3f", median(sizes));
   for (const auto* values : {&m.length, &m.place})
   {
-    if (values->empty()) { std::printf("\t-\t-\t-"); continue; }
-    std::printf("\t%.3f\t%.3f\t%.3f", median(*values), *std::min_element(values->begin(), values->end()), *std::max_element(values->begin(), values->end()));
+    if (values->empty())
+    {
+      std::printf("\t-\t-\t-");
+      continue;
+    }
+    std::printf("\t%.3f\t%.3f\t%.3f", median(*values), *std::min_element(values->begin(), values->end()),
+                *std::max_element(values->begin(), values->end()));
   }
   std::printf("\n");
   std::fflush(stdout);
@@ -337,7 +425,8 @@ void print_moves(const char* surface, int faces, const char* change, const Way& 
 
 using All_moves = std::map<std::pair<std::string, const Way*>, Moves>; // of many surfaces, by change and way
 
-int measure_changes(const char* name, const Triangle_surface& s, const std::vector<Changed>& all, std::vector<All_moves*> together)
+int measure_changes(const char* name, const Triangle_surface& s, const std::vector<Changed>& all,
+                    std::vector<All_moves*> together)
 {
   int wrong = 0;
   for (const Way& way : stable_ways)
@@ -351,12 +440,18 @@ int measure_changes(const char* name, const Triangle_surface& s, const std::vect
       const Attempt then = attempt(changed.surface, way, 1e9, 1);
       wrong += then.is_wrong;
       const bool is_cut = first.cut && then.cut;
-      const double away = is_cut ? distance_between(segments_of(first.cut->surface, *first.cut), segments_turned_back(changed, *then.cut)) : 0;
+      const double away =
+        is_cut ? distance_between(segments_of(first.cut->surface, *first.cut), segments_turned_back(changed, *then.cut))
+               : 0;
       std::vector<Moves*> counted{&moves.back().second};
       for (All_moves* t : together) { counted.push_back(&(*t)[{changed.change, &way}]); }
       for (Moves* m : counted)
       {
-        if (!is_cut) { ++m->missing; continue; }
+        if (!is_cut)
+        {
+          ++m->missing;
+          continue;
+        }
         m->length.push_back(100 * (then.cut->length / first.cut->length - 1));
         m->place.push_back(100 * away / std::sqrt(area(s)));
       }
@@ -368,9 +463,12 @@ int measure_changes(const char* name, const Triangle_surface& s, const std::vect
 
 int measure_stability(int cells)
 {
-  std::printf("surface\tfaces\tchange\tmethod\ttightening\truns\tmissing\tlength_size\tlength_median\tlength_min\tlength_max\tplace_median\tplace_min\tplace_max\n");
-  const Triangle_surface bitorus = sample::bitorus(cells), fine = sample::bitorus(3 * cells / 2), plate = sample::plate(3, cells / 4);
-  const Triangle_surface rings = sample::noisy(sample::three_rings(cells), 0.02, 7), noisy_plate = sample::noisy(plate, 0.5 * mean_edge(plate), 7);
+  std::printf("surface\tfaces\tchange\tmethod\ttightening\truns\tmissing\tlength_size\tlength_median\tlength_"
+              "min\tlength_max\tplace_median\tplace_min\tplace_max\n");
+  const Triangle_surface bitorus = sample::bitorus(cells), fine = sample::bitorus(3 * cells / 2),
+                         plate = sample::plate(3, cells / 4);
+  const Triangle_surface rings = sample::noisy(sample::three_rings(cells), 0.02, 7),
+                         noisy_plate = sample::noisy(plate, 0.5 * mean_edge(plate), 7);
   All_moves moves, moves_without_symmetry;
   int wrong = 0;
   const auto measure = [&](const char* name, const Triangle_surface& s, bool is_symmetric) {
@@ -384,12 +482,19 @@ int measure_stability(int cells)
   measure("noisy plate", noisy_plate, false);
   measure("three rings, noisy", rings, false);
   std::vector<Changed> handles;
-  for (int place = 0; place < 6; ++place) { handles.push_back({"tiny handle", bitorus_with_handle_at(3 * cells / 2, place)}); }
-  const auto has_none = [](const Changed& c) { return sample::euler_characteristic(c.surface) != -4; }; // where the grid is too coarse for it
+  for (int place = 0; place < 6; ++place)
+  {
+    handles.push_back({"tiny handle", bitorus_with_handle_at(3 * cells / 2, place)});
+  }
+  // where the grid is too coarse for it
+  const auto has_none = [](const Changed& c) { return sample::euler_characteristic(c.surface) != -4; };
   handles.erase(std::remove_if(handles.begin(), handles.end(), has_none), handles.end());
   wrong += measure_changes("bi-torus, fine", fine, handles, {&moves});
   for (const auto& [key, m] : moves) { print_moves("all", 0, key.first.c_str(), *key.second, m); }
-  for (const auto& [key, m] : moves_without_symmetry) { print_moves("all without symmetry", 0, key.first.c_str(), *key.second, m); }
+  for (const auto& [key, m] : moves_without_symmetry)
+  {
+    print_moves("all without symmetry", 0, key.first.c_str(), *key.second, m);
+  }
   return wrong;
 }
 
@@ -409,6 +514,8 @@ int main(int argc, char** argv)
     if (meshes.empty()) { meshes.push_back(make_mesh("bi-torus", sample::bitorus(24))); }
     return (what == "methods" ? measure_methods : measure_families)(meshes, limit) > 0;
   }
-  std::fprintf(stderr, "measure_cuts methods | families [--limit SECONDS] [MESH...]\nmeasure_cuts stability [CELLS, 16 or more]\n");
+  std::fprintf(
+    stderr,
+    "measure_cuts methods | families [--limit SECONDS] [MESH...]\nmeasure_cuts stability [CELLS, 16 or more]\n");
   return 64;
 }

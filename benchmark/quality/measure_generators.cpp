@@ -1,5 +1,6 @@
-// Measures generators. `measure_generators stability`: how far they move when a surface is sampled, numbered or disturbed
-// otherwise. `measure_generators lengths MESH...`: their lengths beside those of other constructions on the same mesh.
+// Measures generators. `measure_generators stability`: how far they move when a surface is sampled, numbered or
+// disturbed otherwise. `measure_generators lengths MESH...`: their lengths beside those of other constructions on the
+// same mesh.
 #include "files/read_mesh.h"
 #include "instances.h"
 #include "support/implicit_surfaces.h"
@@ -23,7 +24,8 @@ double total(const Generators& g)
 }
 
 // The mean distance of a curve from the nearest of some others.
-double away(const Refined_surface& s, const std::vector<Index>& curve, const Refined_surface& other, const std::vector<const std::vector<Index>*>& curves)
+double away(const Refined_surface& s, const std::vector<Index>& curve, const Refined_surface& other,
+            const std::vector<const std::vector<Index>*>& curves)
 {
   double best = 1e300;
   for (const auto* c : curves)
@@ -58,8 +60,10 @@ int measure_stability()
     longitudes.push_back(&pair.longitude.vertices);
   }
   const double size = std::sqrt(area(s));
-  std::printf("bi-torus with a tiny handle, %d faces, square root of the area %.3f, mean edge %.4f\n\n", s.number_of_faces(), size, edge);
-  std::printf("| surface | faces | length of all pairs | change | meridians move | longitudes move | shortest pair | verified |\n|---|---|---|---|---|---|---|---|\n");
+  std::printf("bi-torus with a tiny handle, %d faces, square root of the area %.3f, mean edge %.4f\n\n",
+              s.number_of_faces(), size, edge);
+  std::printf("| surface | faces | length of all pairs | change | meridians move | longitudes move | shortest pair | "
+              "verified |\n|---|---|---|---|---|---|---|---|\n");
   int bad = 0;
   const auto row = [&](const char* name, const Triangle_surface& t) {
     const Generators g = find_generators(t);
@@ -72,8 +76,8 @@ int measure_stability()
     }
     const bool good = verify_generators(t, g) && g.genus == first.genus;
     bad += !good;
-    std::printf("| %s | %d | %.4f | %+.1f %% | %.2f %% | %.2f %% | %.3f | %s |\n", name, t.number_of_faces(), total(g), 100 * (total(g) / total(first) - 1),
-                100 * m / size, 100 * l / size, shortest, good ? "yes" : "NO");
+    std::printf("| %s | %d | %.4f | %+.1f %% | %.2f %% | %.2f %% | %.3f | %s |\n", name, t.number_of_faces(), total(g),
+                100 * (total(g) / total(first) - 1), 100 * m / size, 100 * l / size, shortest, good ? "yes" : "NO");
   };
   row("as it is", s);
   row("subdivided", sample::subdivided(s));
@@ -86,11 +90,17 @@ int measure_stability()
 }
 
 // A tree of shortest paths: for each node its distance and the step before it, an edge's number and a node.
-struct Tree { std::vector<double> distance; std::vector<std::pair<Index, Index>> before; };
+struct Tree
+{
+  std::vector<double> distance;
+  std::vector<std::pair<Index, Index>> before;
+};
 template <class Neighbors> Tree shortest_paths(Index nodes, Index root, const Neighbors& for_each_neighbor)
 {
   Tree tree{std::vector<double>(nodes, 1e300), std::vector<std::pair<Index, Index>>(nodes, {-1, -1})};
-  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<std::pair<double, Index>>> queue;
+  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>,
+                      std::greater<std::pair<double, Index>>>
+    queue;
   tree.distance[root] = 0;
   queue.emplace(0., root);
   while (!queue.empty())
@@ -118,12 +128,15 @@ double loop_length(const Tree& tree, Index a, Index b, double edge)
   return edge + tree.distance[a] + tree.distance[b] - 2 * tree.distance[meet];
 }
 
-// Pairs of a tree and a cotree (Eppstein 2003): shortest paths through faces, between the middles of their edges, and among the
-// edges that these do not cross shortest paths of vertices; each edge in neither gives two loops. The best of several roots.
+// Pairs of a tree and a cotree (Eppstein 2003): shortest paths through faces, between the middles of their edges, and
+// among the edges that these do not cross shortest paths of vertices; each edge in neither gives two loops. The best of
+// several roots.
 double tree_cotree_pairs(const Triangle_surface& s)
 {
   const Closed_model g = make_closed_model(s);
-  const auto centre = [&](Index f) { return (1. / 3) * (s.points[s.triangles[f][0]] + s.points[s.triangles[f][1]] + s.points[s.triangles[f][2]]); };
+  const auto centre = [&](Index f) {
+    return (1. / 3) * (s.points[s.triangles[f][0]] + s.points[s.triangles[f][1]] + s.points[s.triangles[f][2]]);
+  };
   const auto step = [&](Index h) {
     const Point middle = s.point_on(h, 0.5);
     return distance(centre(s.face(h)), middle) + distance(middle, centre(s.face(s.opposite[h])));
@@ -133,19 +146,32 @@ double tree_cotree_pairs(const Triangle_surface& s)
   {
     const Index base = static_cast<Index>(static_cast<std::int64_t>(s.number_of_faces()) * i / 8);
     const Tree dual = shortest_paths(s.number_of_faces(), base, [&](Index f, const auto& reach) {
-      for (Index h = 3 * f; h < 3 * f + 3; ++h) { if (s.opposite[h] >= 0) { reach(s.face(s.opposite[h]), s.edge(h), step(h)); } }
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        if (s.opposite[h] >= 0) { reach(s.face(s.opposite[h]), s.edge(h), step(h)); }
+      }
     });
     std::vector<char> is_crossed(s.number_of_halfedges(), 0);
-    for (const auto& [edge, f] : dual.before) { if (edge >= 0) { is_crossed[edge] = 1; } }
+    for (const auto& [edge, f] : dual.before)
+    {
+      if (edge >= 0) { is_crossed[edge] = 1; }
+    }
     const Tree tree = shortest_paths(g.number_of_nodes, g.node[s.triangles[base][0]], [&](Index a, const auto& reach) {
       for (Index k = g.begin[a]; k < g.begin[a + 1]; ++k)
-        if (!is_crossed[s.edge(g.halfedge[k])]) { reach(g.neighbor[k], s.edge(g.halfedge[k]), s.length(g.halfedge[k])); }
+        if (!is_crossed[s.edge(g.halfedge[k])])
+        {
+          reach(g.neighbor[k], s.edge(g.halfedge[k]), s.length(g.halfedge[k]));
+        }
     });
-    for (const auto& [edge, a] : tree.before) { if (edge >= 0) { is_crossed[edge] = 1; } }
+    for (const auto& [edge, a] : tree.before)
+    {
+      if (edge >= 0) { is_crossed[edge] = 1; }
+    }
     double sum = 0;
     for (Index h = 0; h < s.number_of_halfedges(); ++h)
       if (s.opposite[h] > h && !is_crossed[s.edge(h)])
-        sum += loop_length(dual, s.face(h), s.face(s.opposite[h]), step(h)) + loop_length(tree, g.node[s.source(h)], g.node[s.target(h)], s.length(h));
+        sum += loop_length(dual, s.face(h), s.face(s.opposite[h]), step(h))
+               + loop_length(tree, g.node[s.source(h)], g.node[s.target(h)], s.length(h));
     best = std::min(best, sum);
   }
   return best;
@@ -153,7 +179,8 @@ double tree_cotree_pairs(const Triangle_surface& s)
 
 int measure_lengths(int count, char** meshes)
 {
-  std::printf("| mesh | genus | pairs | flow and arc, not tightened | tree and cotree | shortest basis |\n|---|---|---|---|---|---|\n");
+  std::printf("| mesh | genus | pairs | flow and arc, not tightened | tree and cotree | shortest basis "
+              "|\n|---|---|---|---|---|---|\n");
   int bad = 0;
   for (int i = 0; i < count; ++i)
   {

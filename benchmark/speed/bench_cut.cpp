@@ -1,6 +1,6 @@
-// Each part of a cut, and the whole, on plates with holes: 10 thousand to 1 million faces, genus 1 to 1000. Every answer is
-// checked before it is timed. Beside the whole stand the time to read the file and the yardstick, one assembly, ordering,
-// factorization and solve, measured in the same run with one thread; `of_yardstick` is their ratio.
+// Each part of a cut, and the whole, on plates with holes: 10 thousand to 1 million faces, genus 1 to 1000. Every
+// answer is checked before it is timed. Beside the whole stand the time to read the file and the yardstick, one
+// assembly, ordering, factorization and solve, measured in the same run with one thread; `of_yardstick` is their ratio.
 #include "support/sample_surfaces.h"
 
 #include "files/read_mesh.h"
@@ -8,8 +8,8 @@
 
 #include "instances.h"
 
-#include <meridian/result/assemble_result.h>
 #include <meridian/proof/verify_cut.h>
+#include <meridian/result/assemble_result.h>
 
 #include <benchmark/benchmark.h>
 
@@ -32,7 +32,8 @@ Triangle_surface plate(int faces, int genus)
   const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(genus)))), side = 2 * n + 1;
   const double units = 2. * (side * side - n * n) + 4. * n * n + 4. * side;
   const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(faces / units / 2))));
-  auto s = sample::skin({side, side, 1}, [](int i, int j, int) { return i % 2 == 0 || j % 2 == 0; }, k);
+  auto s = sample::skin(
+    {side, side, 1}, [](int i, int j, int) { return i % 2 == 0 || j % 2 == 0; }, k);
   return sample::noisy(std::move(s), 0.2 / k, 1);
 }
 
@@ -89,7 +90,9 @@ struct Stages
     return m;
   }
   std::vector<Meridian_choice> select() const
-  { return select_meridians(ordered, loops, rank_by_preference(candidates, preference::gaussian_curvature)); }
+  {
+    return select_meridians(ordered, loops, rank_by_preference(candidates, preference::gaussian_curvature));
+  }
   std::vector<Surface_curve> project() const
   {
     std::vector<const Contour*> chosen;
@@ -113,8 +116,7 @@ const Stages& stages(const benchmark::State& state)
 }
 
 // Runs `work` once and checks it, then times it.
-template <class Work, class Check>
-void run(benchmark::State& state, const Work& work, const Check& is_right)
+template <class Work, class Check> void run(benchmark::State& state, const Work& work, const Check& is_right)
 {
   const Stages& s = stages(state);
   if (!is_right(s, work(s)))
@@ -136,71 +138,90 @@ double seconds(const std::function<void()>& work)
 
 void examine(benchmark::State& state)
 {
-  run(state, [](const Stages& s) { return examine_surface(s.soup); },
-      [](const Stages& s, const Examination& e) { return e.components.size() == 1 && e.components[0].genus() == s.genus; });
+  run(
+    state, [](const Stages& s) { return examine_surface(s.soup); },
+    [](const Stages& s, const Examination& e) {
+      return e.components.size() == 1 && e.components[0].genus() == s.genus;
+    });
 }
 
 void distant_nodes(benchmark::State& state)
 {
-  run(state, [](const Stages& s) { return find_distant_nodes(s.root, s.graph); }, [](const Stages&, const auto& p) { return p.first != p.second; });
+  run(
+    state, [](const Stages& s) { return find_distant_nodes(s.root, s.graph); },
+    [](const Stages&, const auto& p) { return p.first != p.second; });
 }
 
 void assembly_and_factorization(benchmark::State& state)
 {
-  run(state, [](const Stages& s) {
-        return solve_harmonic_field(s.root, s.graph, edge_weights(s.root, Weights::POSITIVE), s.prescribed);
-      },
-      [](const Stages& s, const Scalar_field& f) {
-        return std::all_of(f.value.begin(), f.value.end(), [](double x) { return std::abs(x) <= 1; }) && f(s.prescribed[1].node) == 1;
-      });
+  run(
+    state,
+    [](const Stages& s) {
+      return solve_harmonic_field(s.root, s.graph, edge_weights(s.root, Weights::POSITIVE), s.prescribed);
+    },
+    [](const Stages& s, const Scalar_field& f) {
+      return std::all_of(f.value.begin(), f.value.end(), [](double x) { return std::abs(x) <= 1; })
+             && f(s.prescribed[1].node) == 1;
+    });
 }
 
 void order(benchmark::State& state)
 {
-  run(state, [](const Stages& s) { return s.order(); }, [](const Stages& s, const Ordered_surface& m) { return count(m.critical).saddles == 2 * s.genus; });
+  run(
+    state, [](const Stages& s) { return s.order(); },
+    [](const Stages& s, const Ordered_surface& m) { return count(m.critical).saddles == 2 * s.genus; });
 }
 
 void contours(benchmark::State& state)
 {
-  run(state, [](const Stages& s) { return trace_saddle_loops(s.ordered); },
-      [](const Stages& s, const std::vector<Contour>& l) { return static_cast<int>(l.size()) >= 2 * s.genus; });
+  run(
+    state, [](const Stages& s) { return trace_saddle_loops(s.ordered); },
+    [](const Stages& s, const std::vector<Contour>& l) { return static_cast<int>(l.size()) >= 2 * s.genus; });
 }
 
 void selection(benchmark::State& state)
 {
-  run(state, [](const Stages& s) { return s.select(); },
-      [](const Stages& s, const auto& c) { return static_cast<int>(c.size()) == s.genus && c.back().genus_after == 0; });
+  run(
+    state, [](const Stages& s) { return s.select(); },
+    [](const Stages& s, const auto& c) { return static_cast<int>(c.size()) == s.genus && c.back().genus_after == 0; });
 }
 
 void slicing(benchmark::State& state)
 {
-  run(state, [](const Stages& s) {
-        Refined_surface refined(s.root);
-        insert_curves(s.root, refined, s.curves);
-        return refined;
-      },
-      [](const Stages& s, const Refined_surface& r) { return sample::euler_characteristic(r) == 2 - 2 * s.genus; });
+  run(
+    state,
+    [](const Stages& s) {
+      Refined_surface refined(s.root);
+      insert_curves(s.root, refined, s.curves);
+      return refined;
+    },
+    [](const Stages& s, const Refined_surface& r) { return sample::euler_characteristic(r) == 2 - 2 * s.genus; });
 }
 
 void links(benchmark::State& state)
 {
-  run(state, [](const Stages& s) {
-        Refined_surface refined(s.root);
-        insert_curves(s.root, refined, s.curves);
-        return link_boundaries(s.root, refined);
-      },
-      [](const Stages& s, const auto& l) { return static_cast<int>(l.size()) == 2 * s.genus - 1; });
+  run(
+    state,
+    [](const Stages& s) {
+      Refined_surface refined(s.root);
+      insert_curves(s.root, refined, s.curves);
+      return link_boundaries(s.root, refined);
+    },
+    [](const Stages& s, const auto& l) { return static_cast<int>(l.size()) == 2 * s.genus - 1; });
 }
 
 void opening(benchmark::State& state)
 {
-  run(state, [](const Stages& s) { return open_along(s.cuts[0].surface); },
-      [](const Stages& s, const Opened_surface& o) { return o.seams.size() == s.cuts[0].opened.seams.size(); });
+  run(
+    state, [](const Stages& s) { return open_along(s.cuts[0].surface); },
+    [](const Stages& s, const Opened_surface& o) { return o.seams.size() == s.cuts[0].opened.seams.size(); });
 }
 
 void recount(benchmark::State& state)
 {
-  run(state, [](const Stages& s) { return verify_cut(s.soup, s.assembled.mesh); }, [](const Stages&, const Verification& v) { return static_cast<bool>(v); });
+  run(
+    state, [](const Stages& s) { return verify_cut(s.soup, s.assembled.mesh); },
+    [](const Stages&, const Verification& v) { return static_cast<bool>(v); });
 }
 
 void whole_cut(benchmark::State& state)
@@ -216,7 +237,8 @@ void whole_cut(benchmark::State& state)
 
   // Pairs of the whole and the yardstick, one after the other, so that a change of the machine's speed hits both.
   const Stages& s = stages(state);
-  const std::string path = (std::filesystem::temp_directory_path() / ("meridian-" + std::to_string(getpid()) + ".off")).string();
+  const std::string path =
+    (std::filesystem::temp_directory_path() / ("meridian-" + std::to_string(getpid()) + ".off")).string();
   Result_mesh mesh;
   mesh.points = s.root.points;
   mesh.faces = s.root.triangles;
@@ -232,13 +254,17 @@ void whole_cut(benchmark::State& state)
     yardstick.push_back(seconds([&] {
       const auto weights = edge_weights(s.root, Weights::POSITIVE);
       internal::Laplace_system<Symmetric_solver_traits> system(s.graph, weights);
-      system.solve(unknown, [&](Index a) { return x[a]; }, x);
+      system.solve(
+        unknown, [&](Index a) { return x[a]; }, x);
     }));
     ratio.push_back(seconds([&] { benchmark::DoNotOptimize(work(s)); }) / yardstick.back());
     reading.push_back(seconds([&] { benchmark::DoNotOptimize(files::read_mesh(path)); }));
   }
   std::filesystem::remove(path);
-  const auto median = [](std::vector<double> v) { std::sort(v.begin(), v.end()); return v[v.size() / 2]; };
+  const auto median = [](std::vector<double> v) {
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+  };
   state.counters["yardstick_s"] = median(yardstick);
   state.counters["read_s"] = median(reading);
   state.counters["of_yardstick"] = median(ratio);
@@ -248,13 +274,17 @@ void whole_cut(benchmark::State& state)
 void whole_generators(benchmark::State& state)
 {
   const Stages& s = stages(state);
-  run(state, [](const Stages& st) { return verify_generators(st.root, find_generators(st.root)); },
-      [](const Stages&, const Generator_verification& v) { return static_cast<bool>(v) && v.curves.front().is_symplectic; });
+  run(
+    state, [](const Stages& st) { return verify_generators(st.root, find_generators(st.root)); },
+    [](const Stages&, const Generator_verification& v) {
+      return static_cast<bool>(v) && v.curves.front().is_symplectic;
+    });
   std::vector<double> ratio;
   for (int i = 0; i < 3; ++i)
   {
     const double cut = seconds([&] { benchmark::DoNotOptimize(verify_cut(s.root, cut_to_disc(s.root))); });
-    ratio.push_back(seconds([&] { benchmark::DoNotOptimize(verify_generators(s.root, find_generators(s.root))); }) / cut);
+    ratio.push_back(seconds([&] { benchmark::DoNotOptimize(verify_generators(s.root, find_generators(s.root))); })
+                    / cut);
   }
   std::sort(ratio.begin(), ratio.end());
   state.counters["of_cut"] = ratio[1];
@@ -268,21 +298,35 @@ int main(int argc, char** argv)
   if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
   benchmark::Initialize(&argc, argv);
   const std::vector<std::pair<const char*, void (*)(benchmark::State&)>> parts{
-    {"examine", examine}, {"distant_nodes", distant_nodes}, {"assembly_and_factorization", assembly_and_factorization}, {"order", order},
-    {"contours", contours}, {"selection", selection}, {"slicing", slicing}, {"links", links}, {"opening", opening},
-    {"verification", recount}, {"whole_cut", whole_cut}};
+    {"examine", examine},
+    {"distant_nodes", distant_nodes},
+    {"assembly_and_factorization", assembly_and_factorization},
+    {"order", order},
+    {"contours", contours},
+    {"selection", selection},
+    {"slicing", slicing},
+    {"links", links},
+    {"opening", opening},
+    {"verification", recount},
+    {"whole_cut", whole_cut}};
   for (int faces : {10000, 100000, 1000000})
     for (int genus : {1, 36, 1000})
     {
       if (genus == 1000 && faces == 10000) { continue; } // it takes twenty faces a hole
       for (const auto& [name, part] : parts)
-        benchmark::RegisterBenchmark(name, part)->ArgNames({"faces", "genus"})->Args({faces, genus})->Unit(benchmark::kMillisecond);
+        benchmark::RegisterBenchmark(name, part)
+          ->ArgNames({"faces", "genus"})
+          ->Args({faces, genus})
+          ->Unit(benchmark::kMillisecond);
     }
   for (int faces : {10000, 100000, 1000000})
     for (int genus : {1, 5, 31, 133, 713})
     {
       if (faces < 140 * genus) { continue; }
-      benchmark::RegisterBenchmark("whole_generators", whole_generators)->ArgNames({"faces", "genus"})->Args({faces, genus})->Unit(benchmark::kMillisecond);
+      benchmark::RegisterBenchmark("whole_generators", whole_generators)
+        ->ArgNames({"faces", "genus"})
+        ->Args({faces, genus})
+        ->Unit(benchmark::kMillisecond);
     }
   benchmark::RunSpecifiedBenchmarks();
 }

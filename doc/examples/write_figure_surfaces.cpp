@@ -1,4 +1,5 @@
-// Writes the surfaces of the manual's figures as OBJ files into a folder, and those that stand beside the paper's table 1.
+// Writes the surfaces of the manual's figures as OBJ files into a folder, and those that stand beside the paper's table
+// 1.
 #include "support/implicit_surfaces.h"
 
 #include <fstream>
@@ -27,7 +28,8 @@ int main(int argc, char** argv)
   // As many vertices as the paper's, to a few percent, and the same genus.
   write("table-figure-1", sample::rings(4, 1.4, 117));
   write("table-figure-7", sample::irregular_torus(40));
-  write("table-figure-11ab", sample::isosurface([](const sample::Point& p) { return sample::ring(p, 1.5, 0.55); }, 2.4, 80));
+  write("table-figure-11ab",
+        sample::isosurface([](const sample::Point& p) { return sample::ring(p, 1.5, 0.55); }, 2.4, 80));
   write("table-figure-11gh", sample::bitorus(120));
   write("table-figure-12", sample::teapot(43));
 }

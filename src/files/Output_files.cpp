@@ -18,7 +18,9 @@ namespace files {
 namespace {
 
 [[noreturn]] void fail(const std::string& path, const char* what)
-{ throw File_error(path + ": " + what + ": " + std::strerror(errno)); }
+{
+  throw File_error(path + ": " + what + ": " + std::strerror(errno));
+}
 
 std::string folder_of(const std::string& path)
 {
@@ -48,7 +50,11 @@ std::string pack(const std::string& path, const std::string& bytes)
     status = deflate(&stream, at + take == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
     at += take - stream.avail_in;
     packed.resize(size + step - stream.avail_out);
-    if (status == Z_STREAM_ERROR) { deflateEnd(&stream); throw File_error(path + ": cannot be packed"); }
+    if (status == Z_STREAM_ERROR)
+    {
+      deflateEnd(&stream);
+      throw File_error(path + ": cannot be packed");
+    }
   }
   deflateEnd(&stream);
   return packed;
@@ -68,7 +74,10 @@ Output_files::~Output_files()
 void Output_files::add(const std::string& path, const std::string& bytes)
 {
   struct stat existing;
-  if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode)) { throw File_error(path + ": cannot be written: it is not a plain file"); }
+  if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
+  {
+    throw File_error(path + ": cannot be written: it is not a plain file");
+  }
   const std::string packed = is_packed(path) ? pack(path, bytes) : std::string();
   const std::string& content = is_packed(path) ? packed : bytes;
 
@@ -102,7 +111,10 @@ void Output_files::commit()
       const std::string hidden = hidden_name(file.path);
       unlink(hidden.c_str());
       const std::string link = "/proc/self/fd/" + std::to_string(file.descriptor);
-      if (linkat(AT_FDCWD, link.c_str(), AT_FDCWD, hidden.c_str(), AT_SYMLINK_FOLLOW) != 0) { fail(file.path, "cannot be written"); }
+      if (linkat(AT_FDCWD, link.c_str(), AT_FDCWD, hidden.c_str(), AT_SYMLINK_FOLLOW) != 0)
+      {
+        fail(file.path, "cannot be written");
+      }
       file.hidden = hidden;
     }
   for (File& file : m_files)

@@ -26,7 +26,11 @@ public:
   void commit();
 
 private:
-  struct File { std::string path, hidden; int descriptor = -1; };
+  struct File
+  {
+    std::string path, hidden;
+    int descriptor = -1;
+  };
   std::vector<File> m_files;
 };
 

@@ -17,7 +17,8 @@ class Scanner
 {
 public:
   Scanner(std::string_view text, const char* what, char comment = '\0')
-    : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_what(what), m_comment(comment) {}
+    : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_what(what), m_comment(comment)
+  {}
 
   [[noreturn]] void fail(const std::string& message) const
   {
@@ -25,9 +26,17 @@ public:
     for (const char* p = m_begin; p < m_at && p < m_end; ++p) { line += *p == '\n'; }
     throw File_error(std::string(m_what) + ", line " + std::to_string(line) + ": " + message);
   }
-  bool at_end() { skip_space(true); return m_at == m_end; }
+  bool at_end()
+  {
+    skip_space(true);
+    return m_at == m_end;
+  }
   // Whether nothing but a comment is left on this line.
-  bool at_line_end() { skip_space(false); return m_at == m_end || *m_at == '\n'; }
+  bool at_line_end()
+  {
+    skip_space(false);
+    return m_at == m_end || *m_at == '\n';
+  }
   void skip_line()
   {
     const void* p = std::memchr(m_at, '\n', static_cast<std::size_t>(m_end - m_at));
@@ -60,7 +69,10 @@ public:
     const auto [p, error] = std::from_chars(first, last, value);
     if (error == std::errc::result_out_of_range && std::is_floating_point_v<Number>)
       return static_cast<Number>(std::strtod(std::string(text).c_str(), nullptr)); // zero, or infinite
-    if (error != std::errc() || p != last) { fail("expected " + std::string(name) + ", found '" + std::string(text.substr(0, 40)) + "'"); }
+    if (error != std::errc() || p != last)
+    {
+      fail("expected " + std::string(name) + ", found '" + std::string(text.substr(0, 40)) + "'");
+    }
     return value;
   }
 

@@ -14,9 +14,21 @@ namespace files {
 class Text
 {
 public:
-  Text& operator<<(const char* s) { m_text += s; return *this; }
-  Text& operator<<(const std::string& s) { m_text += s; return *this; }
-  Text& operator<<(char c) { m_text += c; return *this; }
+  Text& operator<<(const char* s)
+  {
+    m_text += s;
+    return *this;
+  }
+  Text& operator<<(const std::string& s)
+  {
+    m_text += s;
+    return *this;
+  }
+  Text& operator<<(char c)
+  {
+    m_text += c;
+    return *this;
+  }
   template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>> Text& operator<<(Number x)
   {
     char digits[40];

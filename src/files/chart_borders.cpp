@@ -15,7 +15,10 @@ std::vector<Border_path> find_chart_borders(const Result_mesh& mesh)
   std::vector<Index> mate(s.number_of_halfedges(), -1);
   for (const auto& [a, b] : mesh.seams)
   {
-    if (s.opposite[a] >= 0 || s.opposite[b] >= 0 || a == b) { throw Internal_error("find_chart_borders: a seam is no border"); }
+    if (s.opposite[a] >= 0 || s.opposite[b] >= 0 || a == b)
+    {
+      throw Internal_error("find_chart_borders: a seam is no border");
+    }
     mate[a] = b;
     mate[b] = a;
   }
@@ -24,7 +27,8 @@ std::vector<Border_path> find_chart_borders(const Result_mesh& mesh)
     if (mate[h] < 0 || mate[g] < 0) { return mate[h] < 0 && mate[g] < 0; }
     return g != mate[h] && next(mate[g]) == mate[h]; // neither the tip of a seam, nor a fork
   };
-  std::vector<char> is_inner(s.number_of_halfedges(), 0), is_done(s.number_of_halfedges(), 0); // inner: goes on from another
+  // inner: goes on from another
+  std::vector<char> is_inner(s.number_of_halfedges(), 0), is_done(s.number_of_halfedges(), 0);
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
     if (s.opposite[h] < 0 && goes_on(h, next(h))) { is_inner[next(h)] = 1; }
   std::vector<Border_path> paths;
@@ -40,7 +44,10 @@ std::vector<Border_path> find_chart_borders(const Result_mesh& mesh)
         if (mate[h] >= 0) { is_done[mate[h]] = 1; }
         if (!is_inner[next(h)] || next(h) == first) { break; }
       }
-      for (auto h = path.sides.rbegin(); h != path.sides.rend() && mate[first] >= 0; ++h) { path.mates.push_back(mate[*h]); }
+      for (auto h = path.sides.rbegin(); h != path.sides.rend() && mate[first] >= 0; ++h)
+      {
+        path.mates.push_back(mate[*h]);
+      }
     }
   return paths;
 }

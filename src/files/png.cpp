@@ -16,8 +16,8 @@ namespace files {
 
 namespace {
 
-// What a run of libpng shares with its callbacks. Errors leave libpng by longjmp, so that every object with a destructor is
-// made outside of the functions that call setjmp, and no callback leaves while it holds one.
+// What a run of libpng shares with its callbacks. Errors leave libpng by longjmp, so that every object with a
+// destructor is made outside of the functions that call setjmp, and no callback leaves while it holds one.
 struct State
 {
   std::string* out = nullptr;
@@ -43,7 +43,8 @@ void write_bytes(png_structp png, png_bytep bytes, std::size_t n)
     static_cast<State*>(png_get_io_ptr(png))->out->append(reinterpret_cast<const char*>(bytes), n);
     is_written = true;
   }
-  catch (const std::bad_alloc&) {}
+  catch (const std::bad_alloc&)
+  {}
   if (!is_written) { png_error(png, "out of memory"); }
 }
 
@@ -83,8 +84,9 @@ struct Reader
 bool write_image(png_structp png, png_infop info, int width, int height, int channels, int bits, png_bytepp rows)
 {
   if (setjmp(png_jmpbuf(png))) { return false; }
-  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits, channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
-               PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), bits,
+               channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   png_set_compression_level(png, 6);
   png_write_info(png, info);
   png_write_image(png, rows);
@@ -121,7 +123,8 @@ std::vector<png_bytep> rows_of(std::vector<unsigned char>& bytes, std::size_t he
 std::string format_png(int width, int height, int channels, const std::vector<std::uint16_t>& samples, int bits)
 {
   if (width < 1 || height < 1 || (channels != 1 && channels != 3) || (bits != 8 && bits != 16)
-      || samples.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels))
+      || samples.size()
+           != static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels))
     throw Internal_error("format_png: the sizes of an image do not fit together");
   if (bits == 8 && std::any_of(samples.begin(), samples.end(), [](std::uint16_t x) { return x > 255; }))
     throw Internal_error("format_png: a sample needs more than 8 bits");
@@ -139,7 +142,8 @@ std::string format_png(int width, int height, int channels, const std::vector<st
   if (!w.info) { throw File_error("an image cannot be written: out of memory"); }
   png_set_write_fn(w.png, &w.state, write_bytes, flush);
   if (!write_image(w.png, w.info, width, height, channels, bits, rows.data()))
-    throw File_error("an image of " + std::to_string(width) + " x " + std::to_string(height) + " pixels cannot be written: " + w.state.message);
+    throw File_error("an image of " + std::to_string(width) + " x " + std::to_string(height)
+                     + " pixels cannot be written: " + w.state.message);
   return out;
 }
 
@@ -148,7 +152,10 @@ Image read_png(const std::string& path)
   const std::string bytes = read_bytes(path);
   const auto fail = [&](const std::string& why) { throw File_error(path + ": " + why); };
   static const unsigned char signature[] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
-  if (bytes.size() < sizeof signature || std::memcmp(bytes.data(), signature, sizeof signature) != 0) { fail("not a PNG file"); }
+  if (bytes.size() < sizeof signature || std::memcmp(bytes.data(), signature, sizeof signature) != 0)
+  {
+    fail("not a PNG file");
+  }
   Reader r;
   r.state.at = bytes.data();
   r.state.left = bytes.size();
@@ -163,12 +170,20 @@ Image read_png(const std::string& path)
   const int color = png_get_color_type(r.png, r.info);
   if (color & PNG_COLOR_MASK_PALETTE) { fail("the image has a palette; grey or red, green and blue are read"); }
   if (color & PNG_COLOR_MASK_ALPHA) { fail("the image has an alpha channel; grey or red, green and blue are read"); }
-  if (image.bits != 8 && image.bits != 16) { fail("the image has " + std::to_string(image.bits) + " bits a sample; 8 or 16 are read"); }
+  if (image.bits != 8 && image.bits != 16)
+  {
+    fail("the image has " + std::to_string(image.bits) + " bits a sample; 8 or 16 are read");
+  }
   image.channels = color & PNG_COLOR_MASK_COLOR ? 3 : 1;
-  if (width * height > 200000000) { fail("the image has " + std::to_string(width) + " x " + std::to_string(height) + " pixels; at most 200 million are read"); }
+  if (width * height > 200000000)
+  {
+    fail("the image has " + std::to_string(width) + " x " + std::to_string(height)
+         + " pixels; at most 200 million are read");
+  }
   image.width = static_cast<int>(width);
   image.height = static_cast<int>(height);
-  const std::size_t n = width * height * static_cast<std::size_t>(image.channels), size = static_cast<std::size_t>(image.bits / 8);
+  const std::size_t n = width * height * static_cast<std::size_t>(image.channels),
+                    size = static_cast<std::size_t>(image.bits / 8);
   std::vector<unsigned char> content(n * size);
   std::vector<png_bytep> rows = rows_of(content, height);
   if (!read_image(r.png, rows.data())) { fail_to_decode(); }
@@ -184,7 +199,8 @@ std::string format_checkerboard(int size, int squares)
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x)
     {
-      const int i = static_cast<int>(static_cast<long long>(x) * squares / size), j = static_cast<int>(static_cast<long long>(size - 1 - y) * squares / size);
+      const int i = static_cast<int>(static_cast<long long>(x) * squares / size),
+                j = static_cast<int>(static_cast<long long>(size - 1 - y) * squares / size);
       const int right = 120 * x / size, up = 120 * (size - 1 - y) / size;
       const bool is_dark = (i + j) % 2 == 0;
       samples.push_back(static_cast<std::uint16_t>(is_dark ? 60 + right : 230));

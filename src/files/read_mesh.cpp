@@ -17,7 +17,8 @@ namespace files {
 std::string read_bytes(const std::string& path)
 {
   errno = 0;
-  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose); // plain files pass through
+  // plain files pass through
+  const std::unique_ptr<gzFile_s, int (*)(gzFile)> file(gzopen(path.c_str(), "rb"), gzclose);
   if (!file) { throw File_error(path + ": cannot be opened: " + (errno ? std::strerror(errno) : "out of memory")); }
   gzbuffer(file.get(), 1 << 18);
   std::string bytes;
@@ -39,13 +40,15 @@ std::string read_bytes(const std::string& path)
 bool is_packed(const std::string& path)
 {
   const std::size_t n = path.size();
-  return n > 3 && path[n - 3] == '.' && std::tolower(static_cast<unsigned char>(path[n - 2])) == 'g' && std::tolower(static_cast<unsigned char>(path[n - 1])) == 'z';
+  return n > 3 && path[n - 3] == '.' && std::tolower(static_cast<unsigned char>(path[n - 2])) == 'g'
+         && std::tolower(static_cast<unsigned char>(path[n - 1])) == 'z';
 }
 
 std::string format_of(const std::string& path)
 {
   std::string name = path.substr(path.find_last_of("/\\") + 1);
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(name.begin(), name.end(), name.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (is_packed(name)) { name.resize(name.size() - 3); }
   const std::size_t dot = name.find_last_of('.');
   return dot == std::string::npos ? "" : name.substr(dot + 1);
@@ -61,11 +64,20 @@ Polygon_soup read_mesh(const std::string& path)
                         : format == "ply" ? read_ply
                         : format == "vtp" ? read_vtp
                                           : nullptr;
-  if (!reader) { throw File_error(path + ": unknown format '" + format + "'; use OFF, OBJ, STL, PLY or VTP, or gzip of these"); }
+  if (!reader)
+  {
+    throw File_error(path + ": unknown format '" + format + "'; use OFF, OBJ, STL, PLY or VTP, or gzip of these");
+  }
   const std::string bytes = read_bytes(path);
   if (bytes.empty()) { throw File_error(path + ": the file is empty"); }
-  try { return reader(bytes); }
-  catch (const File_error& e) { throw File_error(path + ": " + e.what()); }
+  try
+  {
+    return reader(bytes);
+  }
+  catch (const File_error& e)
+  {
+    throw File_error(path + ": " + e.what());
+  }
 }
 
 } // namespace files

@@ -11,7 +11,10 @@ namespace meridian {
 namespace files {
 
 // A file that cannot be read as a mesh. The message names the file and the place.
-struct File_error : std::runtime_error { using std::runtime_error::runtime_error; };
+struct File_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 
 // Reads OFF, OBJ, STL, PLY or VTP, or gzip of these, told apart by the name's ending.
 //

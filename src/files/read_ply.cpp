@@ -9,7 +9,11 @@ namespace files {
 
 namespace {
 
-struct Type { std::size_t size; char kind; }; // kind: signed, unsigned or floating
+struct Type
+{
+  std::size_t size;
+  char kind;
+}; // kind: signed, unsigned or floating
 
 Type type_of(const Scanner& in, std::string_view name)
 {
@@ -24,27 +28,44 @@ Type type_of(const Scanner& in, std::string_view name)
   in.fail("unknown type '" + std::string(name) + "'");
 }
 
-struct Property { std::string name; Type type{0, 's'}, count{0, 'u'}; bool is_list = false; };
-struct Element { std::string name; std::int64_t count = 0; std::vector<Property> properties; };
+struct Property
+{
+  std::string name;
+  Type type{0, 's'}, count{0, 'u'};
+  bool is_list = false;
+};
+struct Element
+{
+  std::string name;
+  std::int64_t count = 0;
+  std::vector<Property> properties;
+};
 
 // The values of the body, as text or as numbers of fixed size.
 class Body
 {
 public:
-  Body(Scanner& in, std::string_view encoding) : m_in(in), m_at(in.position()), m_is_text(encoding == "ascii"), m_is_swapped(encoding == "binary_big_endian") {}
+  Body(Scanner& in, std::string_view encoding)
+    : m_in(in), m_at(in.position()), m_is_text(encoding == "ascii"), m_is_swapped(encoding == "binary_big_endian")
+  {}
 
   double value(Type type)
   {
     if (m_is_text) { return m_in.real("a value"); }
     if (static_cast<std::size_t>(m_in.end() - m_at) < type.size) { throw File_error("PLY: the file ends too early"); }
     unsigned char raw[8];
-    for (std::size_t i = 0; i < type.size; ++i) { raw[m_is_swapped ? type.size - 1 - i : i] = static_cast<unsigned char>(m_at[i]); }
+    for (std::size_t i = 0; i < type.size; ++i)
+    {
+      raw[m_is_swapped ? type.size - 1 - i : i] = static_cast<unsigned char>(m_at[i]);
+    }
     m_at += type.size;
     switch (type.kind)
     {
     case 'f': return type.size == 4 ? static_cast<double>(as<float>(raw)) : as<double>(raw);
-    case 's': return type.size == 1 ? as<std::int8_t>(raw) : type.size == 2 ? as<std::int16_t>(raw) : as<std::int32_t>(raw);
-    default: return type.size == 1 ? as<std::uint8_t>(raw) : type.size == 2 ? as<std::uint16_t>(raw) : as<std::uint32_t>(raw);
+    case 's':
+      return type.size == 1 ? as<std::int8_t>(raw) : type.size == 2 ? as<std::int16_t>(raw) : as<std::int32_t>(raw);
+    default:
+      return type.size == 1 ? as<std::uint8_t>(raw) : type.size == 2 ? as<std::uint16_t>(raw) : as<std::uint32_t>(raw);
     }
   }
   std::int32_t index(Type type)
@@ -71,7 +92,10 @@ private:
 Polygon_soup read_ply(const std::string& bytes)
 {
   const std::size_t header = bytes.find("end_header");
-  if (bytes.compare(0, 3, "ply") != 0 || header == std::string::npos) { throw File_error("PLY: the file has no PLY header"); }
+  if (bytes.compare(0, 3, "ply") != 0 || header == std::string::npos)
+  {
+    throw File_error("PLY: the file has no PLY header");
+  }
   const std::size_t body_begin = bytes.find('\n', header);
   if (body_begin == std::string::npos) { throw File_error("PLY: the file ends with its header"); }
 
@@ -88,7 +112,10 @@ Polygon_soup read_ply(const std::string& bytes)
       elements.emplace_back();
       elements.back().name = head.word();
       elements.back().count = head.integer("the number of elements");
-      if (elements.back().count < 0 || elements.back().count > 500000000) { head.fail("an impossible number of elements"); }
+      if (elements.back().count < 0 || elements.back().count > 500000000)
+      {
+        head.fail("an impossible number of elements");
+      }
     }
     else if (key == "property")
     {
@@ -117,17 +144,27 @@ Polygon_soup read_ply(const std::string& bytes)
   bool has_faces = false;
   for (const Element& element : elements)
   {
-    const bool is_vertex = element.name == "vertex", is_face = element.name == "face", is_strip = element.name == "tristrips";
+    const bool is_vertex = element.name == "vertex", is_face = element.name == "face",
+               is_strip = element.name == "tristrips";
     std::array<int, 3> axis{-1, -1, -1};
     int corners = -1;
     for (std::size_t i = 0; i < element.properties.size(); ++i)
     {
       const Property& p = element.properties[i];
-      for (int k = 0; k < 3; ++k) { if (p.name == std::string(1, "xyz"[k]) && !p.is_list) { axis[k] = static_cast<int>(i); } }
+      for (int k = 0; k < 3; ++k)
+      {
+        if (p.name == std::string(1, "xyz"[k]) && !p.is_list) { axis[k] = static_cast<int>(i); }
+      }
       if (p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index")) { corners = static_cast<int>(i); }
     }
-    if (is_vertex && (axis[0] < 0 || axis[1] < 0 || axis[2] < 0)) { throw File_error("PLY: the vertices have no x, y and z"); }
-    if ((is_face || is_strip) && corners < 0) { throw File_error("PLY: the element '" + element.name + "' has no list 'vertex_indices'"); }
+    if (is_vertex && (axis[0] < 0 || axis[1] < 0 || axis[2] < 0))
+    {
+      throw File_error("PLY: the vertices have no x, y and z");
+    }
+    if ((is_face || is_strip) && corners < 0)
+    {
+      throw File_error("PLY: the element '" + element.name + "' has no list 'vertex_indices'");
+    }
     has_faces |= is_face || is_strip;
     for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
     {
@@ -138,11 +175,18 @@ Polygon_soup read_ply(const std::string& bytes)
         if (!p.is_list)
         {
           const double x = body.value(p.type);
-          for (int a = 0; a < 3; ++a) { if (axis[a] == static_cast<int>(k)) { point[a] = x; } }
+          for (int a = 0; a < 3; ++a)
+          {
+            if (axis[a] == static_cast<int>(k)) { point[a] = x; }
+          }
           continue;
         }
         const double n = body.value(p.count);
-        if (!(n >= 0) || n > static_cast<double>(body.left())) { throw File_error("PLY: element " + std::to_string(i) + " of '" + element.name + "' has a list of impossible length"); }
+        if (!(n >= 0) || n > static_cast<double>(body.left()))
+        {
+          throw File_error("PLY: element " + std::to_string(i) + " of '" + element.name
+                           + "' has a list of impossible length");
+        }
         list.clear();
         for (std::int64_t j = 0; j < static_cast<std::int64_t>(n); ++j) { list.push_back(body.index(p.type)); }
         if (static_cast<int>(k) != corners) { continue; }
@@ -150,7 +194,11 @@ Polygon_soup read_ply(const std::string& bytes)
         if (is_strip) // -1 ends a strip; every other triangle is turned
           for (std::size_t j = 0, first = 0; j < list.size(); ++j)
           {
-            if (list[j] == -1) { first = j + 1; continue; }
+            if (list[j] == -1)
+            {
+              first = j + 1;
+              continue;
+            }
             if (j < first + 2) { continue; }
             const bool odd = (j - first) % 2 == 1;
             const std::array<std::int32_t, 3> t{list[j - 2], list[odd ? j : j - 1], list[odd ? j - 1 : j]};

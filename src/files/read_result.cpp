@@ -22,14 +22,18 @@ Result_files read_result(const std::string& path)
   for (std::size_t i = 0; i < opened.number_of_polygons(); ++i)
   {
     if (opened.size(i) != 3)
-      throw File_error(path + ": face " + std::to_string(i) + " has " + std::to_string(opened.size(i)) + " corners; results have triangles only");
+      throw File_error(path + ": face " + std::to_string(i) + " has " + std::to_string(opened.size(i))
+                       + " corners; results have triangles only");
     result.mesh.faces.push_back({opened.corner(i, 0), opened.corner(i, 1), opened.corner(i, 2)});
   }
   if (result.kind == Result_kind::GENERATORS)
   {
     result.curves = read_curves(path);
     for (Result_curve& c : result.curves)
-      for (const Result_curve& f : fields) { if (f.name == c.name) { c.field = f.field; } }
+      for (const Result_curve& f : fields)
+      {
+        if (f.name == c.name) { c.field = f.field; }
+      }
   }
   return result;
 }

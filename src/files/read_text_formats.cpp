@@ -114,7 +114,8 @@ Polygon_soup read_off(const std::string& bytes)
     for (std::int64_t j = 0; j < k; ++j)
     {
       if (in.at_line_end() && !in.at_end())
-        in.fail("face " + std::to_string(i) + " is said to have " + std::to_string(k) + " corners and has " + std::to_string(j));
+        in.fail("face " + std::to_string(i) + " is said to have " + std::to_string(k) + " corners and has "
+                + std::to_string(j));
       corners.push_back(clamped(in.integer("a vertex of a face")));
     }
     soup.add_polygon(corners.data(), corners.size());
@@ -133,7 +134,10 @@ Polygon_soup read_obj(const std::string& bytes)
     {
       std::size_t j = i + 1;
       if (j < joined.size() && joined[j] == '\r') { ++j; }
-      if (j < joined.size() && joined[j] == '\n') { for (; i <= j; ++i) { joined[i] = ' '; } }
+      if (j < joined.size() && joined[j] == '\n')
+      {
+        for (; i <= j; ++i) { joined[i] = ' '; }
+      }
       else { ++i; }
     }
   }
@@ -201,10 +205,21 @@ Polygon_soup read_stl(const std::string& bytes)
       soup.add_polygon(corners.data(), corners.size());
       corners.clear();
     }
-    else if (key == "endsolid") { is_closed = true; in.skip_line(); }
-    else if (key == "solid") { is_closed = false; in.skip_line(); }
+    else if (key == "endsolid")
+    {
+      is_closed = true;
+      in.skip_line();
+    }
+    else if (key == "solid")
+    {
+      is_closed = false;
+      in.skip_line();
+    }
     else if (key == "facet") { in.skip_line(); }
-    else if (key != "outer" && key != "loop" && key != "endfacet") { in.fail("unexpected word '" + std::string(key.substr(0, 40)) + "'"); }
+    else if (key != "outer" && key != "loop" && key != "endfacet")
+    {
+      in.fail("unexpected word '" + std::string(key.substr(0, 40)) + "'");
+    }
   }
   if (!is_closed || !corners.empty()) { in.fail("the file ends within a solid"); }
   return soup;

@@ -8,8 +8,8 @@
 namespace meridian {
 namespace files {
 
-// Reads `count` finite numbers from a text file, or gzip of it, with space between them; `#` begins a comment. Throws File_error if there
-// are more or fewer.
+// Reads `count` finite numbers from a text file, or gzip of it, with space between them; `#` begins a comment. Throws
+// File_error if there are more or fewer.
 std::vector<double> read_values(const std::string& path, std::size_t count);
 
 } // namespace files

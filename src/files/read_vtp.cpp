@@ -19,7 +19,12 @@ std::string decode_base64(std::string_view text, std::size_t& used)
   for (used = 0; used < text.size(); ++used)
   {
     const char c = text[used];
-    if (c == '=') { is_padded = true; ++count; continue; }
+    if (c == '=')
+    {
+      is_padded = true;
+      ++count;
+      continue;
+    }
     const std::size_t value = letters.find(c);
     if (value == std::string::npos)
     {
@@ -48,9 +53,13 @@ public:
       m_header_size(std::string_view(root.attribute("header_type").value()) == "UInt64" ? 8 : 4),
       m_is_packed(*root.attribute("compressor").value() != '\0')
   {
-    if (std::string_view(root.attribute("byte_order").value()) == "BigEndian") { throw File_error("VTP: big-endian data is not supported"); }
+    if (std::string_view(root.attribute("byte_order").value()) == "BigEndian")
+    {
+      throw File_error("VTP: big-endian data is not supported");
+    }
     if (m_is_packed && std::string_view(root.attribute("compressor").value()) != "vtkZLibDataCompressor")
-      throw File_error("VTP: the compressor '" + std::string(root.attribute("compressor").value()) + "' is not supported; write with zlib or none");
+      throw File_error("VTP: the compressor '" + std::string(root.attribute("compressor").value())
+                       + "' is not supported; write with zlib or none");
   }
 
   std::vector<double> read(const pugi::xml_node& node) const
@@ -86,7 +95,11 @@ private:
   std::string unpack_base64(std::string_view text) const
   {
     std::size_t first = 0;
-    while (first < text.size() && (text[first] == ' ' || text[first] == '\n' || text[first] == '\r' || text[first] == '\t')) { ++first; }
+    while (first < text.size()
+           && (text[first] == ' ' || text[first] == '\n' || text[first] == '\r' || text[first] == '\t'))
+    {
+      ++first;
+    }
     text.remove_prefix(first);
     std::size_t used = 0;
     if (!m_is_packed) { return unpack(decode_base64(text.substr(0, text.find_first_of(" \n\r\t<")), used)); }
@@ -94,7 +107,8 @@ private:
     const std::uint64_t blocks = header(decode_base64(text.substr(0, (m_header_size + 2) / 3 * 4), used), 0);
     const std::size_t size = (m_header_size * (3 + static_cast<std::size_t>(blocks)) + 2) / 3 * 4;
     if (size > text.size()) { throw File_error("VTP: the file ends too early"); }
-    return unpack(decode_base64(text.substr(0, size), used) + decode_base64(text.substr(size, text.substr(size).find_first_of(" \n\r\t<")), used));
+    return unpack(decode_base64(text.substr(0, size), used)
+                  + decode_base64(text.substr(size, text.substr(size).find_first_of(" \n\r\t<")), used));
   }
   std::string unpack(std::string_view bytes) const
   {
@@ -116,7 +130,9 @@ private:
       if (at > bytes.size() || packed > bytes.size() - at) { throw File_error("VTP: the file ends too early"); }
       const std::size_t old = result.size();
       result.resize(old + size);
-      if (uncompress(reinterpret_cast<Bytef*>(&result[old]), &size, reinterpret_cast<const Bytef*>(bytes.data() + at), packed) != Z_OK)
+      if (uncompress(reinterpret_cast<Bytef*>(&result[old]), &size, reinterpret_cast<const Bytef*>(bytes.data() + at),
+                     packed)
+          != Z_OK)
         throw File_error("VTP: packed data is damaged");
       result.resize(old + size);
       at += packed;
@@ -169,9 +185,15 @@ Polygon_soup read_vtp(const std::string& bytes)
   }
   pugi::xml_document xml;
   const pugi::xml_parse_result parsed = xml.load_buffer(document.data(), document.size());
-  if (!parsed) { throw File_error("VTP: " + std::string(parsed.description()) + " at byte " + std::to_string(parsed.offset)); }
+  if (!parsed)
+  {
+    throw File_error("VTP: " + std::string(parsed.description()) + " at byte " + std::to_string(parsed.offset));
+  }
   const pugi::xml_node root = xml.child("VTKFile");
-  if (std::string_view(root.attribute("type").value()) != "PolyData") { throw File_error("VTP: the file holds no PolyData"); }
+  if (std::string_view(root.attribute("type").value()) != "PolyData")
+  {
+    throw File_error("VTP: the file holds no PolyData");
+  }
   const Arrays arrays(root, appended, is_raw);
 
   Polygon_soup soup;
@@ -180,7 +202,10 @@ Polygon_soup read_vtp(const std::string& bytes)
   {
     const auto base = static_cast<std::int32_t>(soup.points.size());
     const std::vector<double> xyz = arrays.read(piece.child("Points").child("DataArray"));
-    if (xyz.size() % 3 != 0 || xyz.size() / 3 != piece.attribute("NumberOfPoints").as_ullong()) { throw File_error("VTP: the number of coordinates does not match the number of points"); }
+    if (xyz.size() % 3 != 0 || xyz.size() / 3 != piece.attribute("NumberOfPoints").as_ullong())
+    {
+      throw File_error("VTP: the number of coordinates does not match the number of points");
+    }
     for (std::size_t i = 0; i < xyz.size(); i += 3) { soup.points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]}); }
     for (const char* kind : {"Polys", "Strips"})
     {
@@ -193,19 +218,29 @@ Polygon_soup read_vtp(const std::string& bytes)
         if (std::string_view(array.attribute("Name").value()) == "connectivity") { corners = arrays.read(array); }
         if (std::string_view(array.attribute("Name").value()) == "offsets") { ends = arrays.read(array); }
       }
-      if (ends.size() != piece.attribute((std::string("NumberOf") + kind).c_str()).as_ullong()) { throw File_error("VTP: the number of cells does not match their offsets"); }
+      if (ends.size() != piece.attribute((std::string("NumberOf") + kind).c_str()).as_ullong())
+      {
+        throw File_error("VTP: the number of cells does not match their offsets");
+      }
       std::size_t at = 0;
       std::vector<std::int32_t> polygon;
       for (double end : ends)
       {
-        if (!(end >= static_cast<double>(at)) || end > static_cast<double>(corners.size())) { throw File_error("VTP: the cells' offsets do not match their corners"); }
+        if (!(end >= static_cast<double>(at)) || end > static_cast<double>(corners.size()))
+        {
+          throw File_error("VTP: the cells' offsets do not match their corners");
+        }
         polygon.clear();
         for (; static_cast<double>(at) < end; ++at)
         {
           const std::int32_t i = index(corners[at]);
           polygon.push_back(i < 0 || i > 2147483646 - base ? -1 : i + base);
         }
-        if (!is_strip) { soup.add_polygon(polygon.data(), polygon.size()); continue; }
+        if (!is_strip)
+        {
+          soup.add_polygon(polygon.data(), polygon.size());
+          continue;
+        }
         for (std::size_t j = 2; j < polygon.size(); ++j)
         {
           const bool odd = j % 2 == 1;

@@ -14,7 +14,7 @@ namespace {
 
 using Place = std::array<std::int64_t, 2>; // in hundredths of a unit of the picture, downwards
 constexpr std::int64_t unit = 100, side = 1000 * unit;
-constexpr int shades = 25;                 // an odd number, so that one of them is for 1
+constexpr int shades = 25; // an odd number, so that one of them is for 1
 
 // The shade of a distortion: 0 for 1/4 and less, the last for 4 and more.
 std::size_t shade_of(double distortion)
@@ -44,8 +44,16 @@ class Path_data
 {
 public:
   void move_to(const Place& p) { append('M', p); }
-  void line_to(const Place& p) { append('l', {p[0] - m_last[0], p[1] - m_last[1]}); m_last = p; }
-  void close() { m_text << 'z'; m_command = 'z'; }
+  void line_to(const Place& p)
+  {
+    append('l', {p[0] - m_last[0], p[1] - m_last[1]});
+    m_last = p;
+  }
+  void close()
+  {
+    m_text << 'z';
+    m_command = 'z';
+  }
   std::string take() { return m_text.take(); }
 
 private:
@@ -82,9 +90,11 @@ public:
   Layout(const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture) : m_mesh(mesh)
   {
     for (const auto& t : texture) { m_at.push_back({std::llround(t[0] * side), std::llround((1 - t[1]) * side)}); }
-    m_out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-20 -20 1040 1090\" width=\"1040\" height=\"1090\" font-family=\"sans-serif\">\n"
+    m_out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-20 -20 1040 1090\" width=\"1040\" height=\"1090\" "
+             "font-family=\"sans-serif\">\n"
              "<style>.numbers text { stroke-width: .2em; }</style>\n"
-             "<rect x=\"-20\" y=\"-20\" width=\"1040\" height=\"1090\" fill=\"#fff\"/>\n<rect width=\"1000\" height=\"1000\" fill=\"none\" stroke=\"#ccc\"/>\n";
+             "<rect x=\"-20\" y=\"-20\" width=\"1040\" height=\"1090\" fill=\"#fff\"/>\n<rect width=\"1000\" "
+             "height=\"1000\" fill=\"none\" stroke=\"#ccc\"/>\n";
   }
 
   void draw_faces(const std::vector<double>& distortion)
@@ -105,20 +115,30 @@ public:
     }
     m_out << "<g class=\"faces\" stroke-width=\".4\" stroke-linejoin=\"round\">\n";
     for (std::size_t i = 0; i < shades; ++i)
-      if (is_used[i]) { m_out << "<path fill=\"" << color_of(i) << "\" stroke=\"" << color_of(i) << "\" d=\"" << paths[i].take() << "\"/>\n"; }
+      if (is_used[i])
+      {
+        m_out << "<path fill=\"" << color_of(i) << "\" stroke=\"" << color_of(i) << "\" d=\"" << paths[i].take()
+              << "\"/>\n";
+      }
     m_out << "</g>\n";
   }
 
   void draw_borders()
   {
-    static const char* const colors[] = {"#1f5fb4", "#c4510a", "#1c7c2c", "#a3171f", "#6b3fa0", "#6d4336", "#b0308a", "#4d4d4d", "#7d7f10", "#0f8a96"};
+    static const char* const colors[] = {"#1f5fb4", "#c4510a", "#1c7c2c", "#a3171f", "#6b3fa0",
+                                         "#6d4336", "#b0308a", "#4d4d4d", "#7d7f10", "#0f8a96"};
     const std::vector<Border_path> paths = find_chart_borders(m_mesh);
-    m_out << "<g fill=\"none\" stroke=\"#222\" stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    m_out
+      << "<g fill=\"none\" stroke=\"#222\" stroke-width=\"1.2\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     std::string numbers;
     int number = 0;
     for (const Border_path& path : paths)
     {
-      if (path.mates.empty()) { draw_line(path.sides, "border", ""); continue; }
+      if (path.mates.empty())
+      {
+        draw_line(path.sides, "border", "");
+        continue;
+      }
       const char* color = colors[static_cast<std::size_t>(number++) % (sizeof colors / sizeof *colors)];
       for (const auto* sides : {&path.sides, &path.mates})
       {
@@ -126,20 +146,30 @@ public:
         numbers += format_number(*sides, number, color);
       }
     }
-    m_out << "</g>\n<g class=\"numbers\" text-anchor=\"middle\" stroke=\"#fff\" paint-order=\"stroke\">\n" << numbers << "</g>\n";
+    m_out << "</g>\n<g class=\"numbers\" text-anchor=\"middle\" stroke=\"#fff\" paint-order=\"stroke\">\n"
+          << numbers << "</g>\n";
   }
 
   void draw_legend()
   {
     m_out << "<g class=\"legend\" font-size=\"14\" text-anchor=\"middle\" fill=\"#222\">\n";
     for (std::size_t i = 0; i < shades; ++i)
-      m_out << "<rect x=\"" << 250 + 20 * i << "\" y=\"1012\" width=\"20\" height=\"14\" fill=\"" << color_of(i) << "\"/>\n";
+      m_out << "<rect x=\"" << 250 + 20 * i << "\" y=\"1012\" width=\"20\" height=\"14\" fill=\"" << color_of(i)
+            << "\"/>\n";
     static const char* const marks[] = {"1/4", "1/2", "1", "2", "4"};
-    for (int i = 0; i < 5; ++i) { m_out << "<text x=\"" << 260 + 120 * i << "\" y=\"1042\">" << marks[i] << "</text>\n"; }
-    m_out << "<text x=\"500\" y=\"1062\">distortion of faces; equal numbers mark the two sides of a seam</text>\n</g>\n";
+    for (int i = 0; i < 5; ++i)
+    {
+      m_out << "<text x=\"" << 260 + 120 * i << "\" y=\"1042\">" << marks[i] << "</text>\n";
+    }
+    m_out
+      << "<text x=\"500\" y=\"1062\">distortion of faces; equal numbers mark the two sides of a seam</text>\n</g>\n";
   }
 
-  std::string take() { m_out << "</svg>\n"; return m_out.take(); }
+  std::string take()
+  {
+    m_out << "</svg>\n";
+    return m_out.take();
+  }
 
 private:
   const Place& source(std::int32_t h) const { return m_at[m_mesh.faces[h / 3][h % 3]]; }
@@ -159,7 +189,8 @@ private:
   std::string format_number(const std::vector<std::int32_t>& sides, int number, const char* color) const
   {
     const auto length = [&](std::int32_t h) {
-      return std::hypot(static_cast<double>(target(h)[0] - source(h)[0]), static_cast<double>(target(h)[1] - source(h)[1]));
+      return std::hypot(static_cast<double>(target(h)[0] - source(h)[0]),
+                        static_cast<double>(target(h)[1] - source(h)[1]));
     };
     double whole = 0, along = 0;
     for (std::int32_t h : sides) { whole += length(h); }
@@ -167,13 +198,15 @@ private:
     while (i + 1 < sides.size() && along + length(sides[i]) < whole / 2) { along += length(sides[i++]); }
     const Place &a = source(sides[i]), &b = target(sides[i]);
     const double x = static_cast<double>(b[0] - a[0]), y = static_cast<double>(b[1] - a[1]), l = length(sides[i]);
-    const double part = l > 0 ? std::min((whole / 2 - along) / l, 1.) : 0, size = std::min(std::max(whole / 4 / unit, 4.), 11.); // of letters
+    // of letters
+    const double part = l > 0 ? std::min((whole / 2 - along) / l, 1.) : 0,
+                 size = std::min(std::max(whole / 4 / unit, 4.), 11.);
     const double inward = l > 0 ? 0.8 * size * unit / l : 0;
     const auto units = [&](double v) { return static_cast<double>(std::llround(v / unit * 10)) / 10; };
     Text text;
     text << "<text x=\"" << units(static_cast<double>(a[0]) + part * x + inward * y) << "\" y=\""
-         << units(static_cast<double>(a[1]) + part * y - inward * x + 0.35 * size * unit) << "\" font-size=\"" << units(size * unit) << "\" fill=\"" << color
-         << "\">" << number << "</text>\n";
+         << units(static_cast<double>(a[1]) + part * y - inward * x + 0.35 * size * unit) << "\" font-size=\""
+         << units(size * unit) << "\" fill=\"" << color << "\">" << number << "</text>\n";
     return text.take();
   }
 
@@ -184,7 +217,8 @@ private:
 
 } // namespace
 
-std::string format_layout(const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture, const std::vector<double>& distortion)
+std::string format_layout(const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture,
+                          const std::vector<double>& distortion)
 {
   Layout layout(mesh, texture);
   layout.draw_faces(distortion);

@@ -67,9 +67,10 @@ std::string format_ply(const Result_mesh& m, const std::vector<Face_values>& val
 std::string format_vtp(const Result_mesh& m, const std::vector<Face_values>& values)
 {
   Text out;
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\""
-      << m.points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" << m.faces.size()
-      << "\">\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
+         "byte_order=\"LittleEndian\">\n<PolyData>\n<Piece NumberOfPoints=\""
+      << m.points.size() << "\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\""
+      << m.faces.size() << "\">\n<Points>\n<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">\n";
   for (const auto& p : m.points) { out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
   out << "</DataArray>\n</Points>\n<Polys>\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">\n";
   for (const auto& f : m.faces) { out << f[0] << ' ' << f[1] << ' ' << f[2] << '\n'; }
@@ -98,7 +99,9 @@ Formatter formatter(const std::string& path)
   if (format == "ply") { return format_ply; }
   if (format == "vtp") { return format_vtp; }
   if (format == "stl")
-    throw File_error(path + ": STL cannot hold a cut, because it stores no vertices and its readers weld equal points; use OFF, OBJ, PLY or VTP");
+    throw File_error(path
+                     + ": STL cannot hold a cut, because it stores no vertices and its readers weld equal points; use "
+                       "OFF, OBJ, PLY or VTP");
   throw File_error(path + ": unknown format '" + format + "'; use OFF, OBJ, PLY or VTP, or gzip of these");
 }
 
@@ -106,7 +109,10 @@ Formatter formatter(const std::string& path)
 
 void check_writable_format(const std::string& path) { formatter(path); }
 
-std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values) { return formatter(path)(mesh, values); }
+std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values)
+{
+  return formatter(path)(mesh, values);
+}
 
 std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Result_curve>& curves)
 {
@@ -114,7 +120,10 @@ std::string format_curves(const std::vector<std::array<double, 3>>& points, cons
   std::map<std::int32_t, std::size_t> place;
   for (const Result_curve& c : curves)
     for (std::int32_t v : c.points)
-      if (place.try_emplace(v, place.size() + 1).second) { out << "v " << points[v][0] << ' ' << points[v][1] << ' ' << points[v][2] << '\n'; }
+      if (place.try_emplace(v, place.size() + 1).second)
+      {
+        out << "v " << points[v][0] << ' ' << points[v][1] << ' ' << points[v][2] << '\n';
+      }
   for (const Result_curve& c : curves)
   {
     out << "g " << c.name << "\nl";
@@ -179,7 +188,10 @@ std::string format_map(const Result_mesh& m, Result_kind kind, const std::vector
   Text out;
   const auto number = [&](auto x) { out << x; };
   out << "{\n";
-  if (kind != Result_kind::CUT) { out << "\"result\": \"" << (kind == Result_kind::GENERATORS ? "generators" : "unwrapping") << "\",\n"; }
+  if (kind != Result_kind::CUT)
+  {
+    out << "\"result\": \"" << (kind == Result_kind::GENERATORS ? "generators" : "unwrapping") << "\",\n";
+  }
   out << "\"copy_of\": ";
   out.list(m.copy_of, number) << ",\n\"origin\": ";
   out.list(m.origin, [&](const Result_origin& o) {
@@ -194,7 +206,8 @@ std::string format_map(const Result_mesh& m, Result_kind kind, const std::vector
   if (kind == Result_kind::GENERATORS)
   {
     std::vector<Result_curve> flow;
-    std::copy_if(curves.begin(), curves.end(), std::back_inserter(flow), [](const Result_curve& c) { return !c.field.empty(); });
+    std::copy_if(curves.begin(), curves.end(), std::back_inserter(flow),
+                 [](const Result_curve& c) { return !c.field.empty(); });
     out << ",\n\"fields\": ";
     out.list(flow, [&](const Result_curve& c) {
       out << "{\"curve\": \"" << c.name << "\", \"values\": ";
@@ -211,7 +224,10 @@ Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Res
   {
     const auto json = nlohmann::json::parse(read_bytes(path));
     const auto index = [&](const nlohmann::json& entry) {
-      if (!entry.is_number_integer() || entry > 2147483647 || entry < -2147483647) { throw File_error(path + ": an index is not a whole number in range"); }
+      if (!entry.is_number_integer() || entry > 2147483647 || entry < -2147483647)
+      {
+        throw File_error(path + ": an index is not a whole number in range");
+      }
       return entry.get<std::int32_t>();
     };
     const auto read_indices = [&](const char* key, std::vector<std::int32_t>& list) {
@@ -244,13 +260,24 @@ Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Res
     for (const auto& entry : json.value("fields", nlohmann::json::array()))
     {
       fields.push_back({entry.at("curve").get<std::string>(), {}, {}});
-      for (const auto& value : entry.at("values")) { fields.back().field.emplace(index(value.at(0)), value.at(1).get<double>()); }
+      for (const auto& value : entry.at("values"))
+      {
+        fields.back().field.emplace(index(value.at(0)), value.at(1).get<double>());
+      }
     }
     const std::string kind = json.value("result", "cut");
-    if (kind != "cut" && kind != "generators" && kind != "unwrapping") { throw File_error(path + ": a map of an unknown result '" + kind + "'"); }
-    return kind == "generators" ? Result_kind::GENERATORS : kind == "unwrapping" ? Result_kind::UNWRAPPING : Result_kind::CUT;
+    if (kind != "cut" && kind != "generators" && kind != "unwrapping")
+    {
+      throw File_error(path + ": a map of an unknown result '" + kind + "'");
+    }
+    return kind == "generators"   ? Result_kind::GENERATORS
+           : kind == "unwrapping" ? Result_kind::UNWRAPPING
+                                  : Result_kind::CUT;
   }
-  catch (const nlohmann::json::exception& e) { throw File_error(path + ": not a map file: " + e.what()); }
+  catch (const nlohmann::json::exception& e)
+  {
+    throw File_error(path + ": not a map file: " + e.what());
+  }
 }
 
 } // namespace files

@@ -14,10 +14,14 @@ namespace files {
 void check_writable_format(const std::string& path);
 
 // A number for each face of a mesh.
-struct Face_values { std::string name; std::vector<double> values; };
+struct Face_values
+{
+  std::string name;
+  std::vector<double> values;
+};
 
-// The bytes of a mesh file in the format of `path`: OFF, OBJ, PLY (binary) or VTP. Text has the shortest digits that read
-// back to the same number. Values are for PLY and VTP.
+// The bytes of a mesh file in the format of `path`: OFF, OBJ, PLY (binary) or VTP. Text has the shortest digits that
+// read back to the same number. Values are for PLY and VTP.
 std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values = {});
 
 // The points of curves and one line element a curve, as OBJ.
@@ -29,7 +33,12 @@ std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<R
 // The line elements of an OBJ file, named by their groups. Throws File_error.
 std::vector<Result_curve> read_curves(const std::string& path);
 
-enum class Result_kind { CUT, GENERATORS, UNWRAPPING };
+enum class Result_kind
+{
+  CUT,
+  GENERATORS,
+  UNWRAPPING
+};
 
 // The map of a result, as JSON, with the fields that curves name; only generators have some.
 std::string format_map(const Result_mesh& mesh, Result_kind kind, const std::vector<Result_curve>& curves = {});

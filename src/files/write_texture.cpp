@@ -12,25 +12,37 @@ namespace files {
 
 namespace {
 
-// Whether the faces [first, last) of a result are the fan of polygon `p` of the input, each corner with one vertex of the opened
-// mesh in all of them. If so, `corners` receives these, in the order of the file.
-bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture, std::size_t first, std::size_t last,
+// Whether the faces [first, last) of a result are the fan of polygon `p` of the input, each corner with one vertex of
+// the opened mesh in all of them. If so, `corners` receives these, in the order of the file.
+bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh,
+              const std::vector<std::array<double, 2>>& texture, std::size_t first, std::size_t last,
               std::vector<std::int32_t>& corners)
 {
   const std::size_t n = input.size(p);
   if (n <= 3 || last - first != n - 2) { return false; }
   std::size_t lowest = 0;
-  for (std::size_t k = 1; k < n; ++k) { if (input.corner(p, k) < input.corner(p, lowest)) { lowest = k; } }
+  for (std::size_t k = 1; k < n; ++k)
+  {
+    if (input.corner(p, k) < input.corner(p, lowest)) { lowest = k; }
+  }
   corners.resize(n);
-  for (std::size_t k = 0; k < n; ++k) { corners[(lowest + k) % n] = k < 2 ? mesh.faces[first][k] : mesh.faces[first + k - 2][2]; }
+  for (std::size_t k = 0; k < n; ++k)
+  {
+    corners[(lowest + k) % n] = k < 2 ? mesh.faces[first][k] : mesh.faces[first + k - 2][2];
+  }
   for (std::size_t k = 0; k < n; ++k)
   {
     const std::int32_t v = corners[k], of = mesh.copy_of[v];
     if ((of < 0 ? v : of) != input.corner(p, k)) { return false; }
   }
   for (std::size_t k = 1; k + 1 < n; ++k)
-    if (mesh.faces[first + k - 1] != std::array<std::int32_t, 3>{corners[lowest], corners[(lowest + k) % n], corners[(lowest + k + 1) % n]}) { return false; }
-  for (std::size_t k = 0; k < n; ++k) // convex beyond rounding: whatever fan a reader cuts it by, no triangle is turned over
+    if (mesh.faces[first + k - 1]
+        != std::array<std::int32_t, 3>{corners[lowest], corners[(lowest + k) % n], corners[(lowest + k + 1) % n]})
+    {
+      return false;
+    }
+  // convex beyond rounding: whatever fan a reader cuts it by, no triangle is turned over
+  for (std::size_t k = 0; k < n; ++k)
   {
     const auto &a = texture[corners[k]], &b = texture[corners[(k + 1) % n]], &c = texture[corners[(k + 2) % n]];
     const double left = (b[0] - a[0]) * (c[1] - a[1]), right = (b[1] - a[1]) * (c[0] - a[0]);
@@ -44,7 +56,8 @@ class Corner_reader
 {
 public:
   Corner_reader(Scanner& in, std::size_t vertices, std::size_t textures)
-    : m_in(in), m_vertices(static_cast<std::int64_t>(vertices)), m_textures(static_cast<std::int64_t>(textures)) {}
+    : m_in(in), m_vertices(static_cast<std::int64_t>(vertices)), m_textures(static_cast<std::int64_t>(textures))
+  {}
 
   // The vertex and the texture vertex of a corner.
   std::array<std::int32_t, 2> operator()(std::string_view word) const
@@ -62,7 +75,8 @@ private:
     const auto i = m_in.parse<std::int64_t>(word, name);
     const std::int64_t place = i < 0 ? count + i : i - 1; // 0 is no index
     if (place < 0 || place >= count)
-      m_in.fail("a corner names " + std::string(name) + " " + std::to_string(i) + ", and " + std::to_string(count) + " stand above it");
+      m_in.fail("a corner names " + std::string(name) + " " + std::to_string(i) + ", and " + std::to_string(count)
+                + " stand above it");
     return static_cast<std::int32_t>(place);
   }
 
@@ -84,8 +98,8 @@ template <std::size_t N> std::array<double, N> read_coordinates(Scanner& in, con
 
 } // namespace
 
-std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture,
-                             const std::string& material_library)
+std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
+                             const std::vector<std::array<double, 2>>& texture, const std::string& material_library)
 {
   Text out;
   if (!material_library.empty()) { out << "mtllib " << material_library << '\n'; }
@@ -106,8 +120,14 @@ std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
   {
     const std::int32_t polygon = mesh.face_of[first];
     while (last < mesh.faces.size() && mesh.face_of[last] == polygon) { ++last; }
-    if (is_whole(input, static_cast<std::size_t>(polygon), mesh, texture, first, last, corners)) { write_face(corners); }
-    else { for (std::size_t f = first; f < last; ++f) { write_face(mesh.faces[f]); } }
+    if (is_whole(input, static_cast<std::size_t>(polygon), mesh, texture, first, last, corners))
+    {
+      write_face(corners);
+    }
+    else
+    {
+      for (std::size_t f = first; f < last; ++f) { write_face(mesh.faces[f]); }
+    }
   }
   return out.take();
 }
@@ -140,14 +160,21 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<std:
       {
         const auto [v, t] = corners.emplace_back(read(word));
         if (vertex_of[t] >= 0 && vertex_of[t] != v)
-          in.fail("texture vertex " + std::to_string(t + 1) + " is used with vertex " + std::to_string(vertex_of[t] + 1) + " and with vertex " + std::to_string(v + 1));
+          in.fail("texture vertex " + std::to_string(t + 1) + " is used with vertex " + std::to_string(vertex_of[t] + 1)
+                  + " and with vertex " + std::to_string(v + 1));
         vertex_of[t] = v;
       }
       const std::size_t n = corners.size();
       if (n < 3) { in.fail("a face has " + std::to_string(n) + " corners"); }
       std::size_t lowest = 0;
-      for (std::size_t k = 1; k < n && n > 3; ++k) { if (corners[k][0] < corners[lowest][0]) { lowest = k; } }
-      for (std::size_t k = 1; k + 1 < n; ++k) { mesh.faces.push_back({corners[lowest][1], corners[(lowest + k) % n][1], corners[(lowest + k + 1) % n][1]}); }
+      for (std::size_t k = 1; k < n && n > 3; ++k)
+      {
+        if (corners[k][0] < corners[lowest][0]) { lowest = k; }
+      }
+      for (std::size_t k = 1; k + 1 < n; ++k)
+      {
+        mesh.faces.push_back({corners[lowest][1], corners[(lowest + k) % n][1], corners[(lowest + k + 1) % n][1]});
+      }
     }
     if (!in.at_line_end()) { in.skip_line(); }
   }
@@ -157,14 +184,17 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<std:
   for (std::size_t t = 0; t < texture.size(); ++t)
   {
     if (vertex_of[t] < 0 && t >= points.size())
-      throw File_error(path + ": no corner names texture vertex " + std::to_string(t + 1) + ", and there is no vertex of that number");
+      throw File_error(path + ": no corner names texture vertex " + std::to_string(t + 1)
+                       + ", and there is no vertex of that number");
     if (vertex_of[t] < 0) { vertex_of[t] = static_cast<std::int32_t>(t); }
     mesh.points.push_back(points[vertex_of[t]]);
   }
 }
 
 std::string format_material(const std::string& texture_image)
-{ return "newmtl checkerboard\nKd 1 1 1\nmap_Kd " + texture_image + "\n"; }
+{
+  return "newmtl checkerboard\nKd 1 1 1\nmap_Kd " + texture_image + "\n";
+}
 
 } // namespace files
 } // namespace meridian

@@ -11,18 +11,18 @@
 namespace meridian {
 namespace files {
 
-// A mesh with texture coordinates, as OBJ: a `v` for each vertex that is no copy, a `vt` for each vertex of the opened mesh,
-// and faces that name both. A polygon of the input stands as it stood there, if its parts are the triangles of its fan, no
-// seam runs through it and its image is convex; otherwise its triangles do. With a name of a material library, faces have the material of
-// `format_material()`.
+// A mesh with texture coordinates, as OBJ: a `v` for each vertex that is no copy, a `vt` for each vertex of the opened
+// mesh, and faces that name both. A polygon of the input stands as it stood there, if its parts are the triangles of
+// its fan, no seam runs through it and its image is convex; otherwise its triangles do. With a name of a material
+// library, faces have the material of `format_material()`.
 //
 // `mesh` is an opened mesh whose copies follow the other vertices; `texture` has one entry a vertex.
-std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture,
-                             const std::string& material_library);
+std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
+                             const std::vector<std::array<double, 2>>& texture, const std::string& material_library);
 
-// The other way. `mesh` receives the points and faces of the opened mesh, one vertex for each `vt`, polygons cut by a fan from
-// their corner whose `v` is lowest; nothing else of it is touched. `vertex_of` receives the `v` of each `vt`, `vertices` how many
-// there are. A `vt` that no corner names belongs to the `v` of the same number. Throws File_error.
+// The other way. `mesh` receives the points and faces of the opened mesh, one vertex for each `vt`, polygons cut by a
+// fan from their corner whose `v` is lowest; nothing else of it is touched. `vertex_of` receives the `v` of each `vt`,
+// `vertices` how many there are. A `vt` that no corner names belongs to the `v` of the same number. Throws File_error.
 void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<std::array<double, 2>>& texture,
                     std::vector<std::int32_t>& vertex_of, std::int32_t& vertices);
 

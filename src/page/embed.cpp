@@ -10,12 +10,16 @@ MERIDIAN_EMBED(meridian_line_segments, MERIDIAN_THREE "/examples/js/lines/LineSe
 namespace meridian {
 namespace page {
 
-std::string script(const char* begin, const char* end) { return "<script>\n" + std::string(begin, end) + "\n</script>\n"; }
+std::string script(const char* begin, const char* end)
+{
+  return "<script>\n" + std::string(begin, end) + "\n</script>\n";
+}
 
 std::string library_scripts()
 {
   return script(meridian_three_begin, meridian_three_end) + script(meridian_controls_begin, meridian_controls_end)
-         + script(meridian_line_geometry_begin, meridian_line_geometry_end) + script(meridian_line_material_begin, meridian_line_material_end)
+         + script(meridian_line_geometry_begin, meridian_line_geometry_end)
+         + script(meridian_line_material_begin, meridian_line_material_end)
          + script(meridian_line_segments_begin, meridian_line_segments_end);
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 // A file that the assembler puts into the program. The names are known in one source file alone.
-#define MERIDIAN_EMBED(NAME, FILE)                                                     \
+#define MERIDIAN_EMBED(NAME, FILE) \
   __asm__(".section .rodata\n" #NAME "_begin:\n.incbin \"" FILE "\"\n" #NAME "_end:\n.byte 0\n.previous\n"); \
   extern "C" const char NAME##_begin[], NAME##_end[];
 
@@ -36,7 +36,8 @@ template <class Number> std::string base64(const std::vector<Number>& values)
   text.reserve((n + 2) / 3 * 4);
   for (std::size_t i = 0; i < n; i += 3)
   {
-    const unsigned long block = static_cast<unsigned long>(bytes[i]) << 16 | (i + 1 < n ? bytes[i + 1] : 0ul) << 8 | (i + 2 < n ? bytes[i + 2] : 0ul);
+    const unsigned long block = static_cast<unsigned long>(bytes[i]) << 16 | (i + 1 < n ? bytes[i + 1] : 0ul) << 8
+                                | (i + 2 < n ? bytes[i + 2] : 0ul);
     text += letters[block >> 18 & 63];
     text += letters[block >> 12 & 63];
     text += i + 1 < n ? letters[block >> 6 & 63] : '=';

@@ -13,7 +13,8 @@ MERIDIAN_EMBED(meridian_script, MERIDIAN_PAGE_SCRIPT)
 namespace meridian {
 namespace page {
 
-std::string format_page(const std::string& title, const std::string& caption, const std::string& others, const std::vector<Part>& parts, const std::vector<Curve>& curves,
+std::string format_page(const std::string& title, const std::string& caption, const std::string& others,
+                        const std::vector<Part>& parts, const std::vector<Curve>& curves,
                         const Assembled_result& assembled)
 {
   const auto& points = assembled.mesh.points;
@@ -49,8 +50,14 @@ std::string format_page(const std::string& title, const std::string& caption, co
         const Origin o = part.surface.origin(v);
         value = 0;
         if (o.kind == Origin::VERTEX) { value = part.field[o.index[0]]; }
-        if (o.kind == Origin::EDGE) { value = (1 - o.weight[0]) * part.field[o.index[0]] + o.weight[0] * part.field[o.index[1]]; }
-        if (o.kind == Origin::FACE) { for (int k = 0; k < 3; ++k) { value += o.weight[k] * part.field[part.root.triangles[o.index[0]][k]]; } }
+        if (o.kind == Origin::EDGE)
+        {
+          value = (1 - o.weight[0]) * part.field[o.index[0]] + o.weight[0] * part.field[o.index[1]];
+        }
+        if (o.kind == Origin::FACE)
+        {
+          for (int k = 0; k < 3; ++k) { value += o.weight[k] * part.field[part.root.triangles[o.index[0]][k]]; }
+        }
       }
       field.push_back(static_cast<float>(value));
     }
@@ -76,13 +83,16 @@ std::string format_page(const std::string& title, const std::string& caption, co
     std::vector<float> at;
     append(at, place[path[path.size() / 2]]);
     char text[120];
-    std::snprintf(text, sizeof text, "{at: [%.5g, %.5g, %.5g], kind: %d, text: '", at[0], at[1], at[2], static_cast<int>(curve.kind));
+    std::snprintf(text, sizeof text, "{at: [%.5g, %.5g, %.5g], kind: %d, text: '", at[0], at[1], at[2],
+                  static_cast<int>(curve.kind));
     labels += text + escaped(curve.label) + "'},";
   }
 
   std::string scripts = library_scripts();
-  scripts += "<script>\nconst data = {positions: '" + base64(positions) + "', corners: '" + base64(corners) + "', field: '" + base64(field)
-             + "', meridians: '" + base64(lines[Curve::MERIDIAN]) + "', others: '" + base64(lines[Curve::OTHER]) + "', flow: '" + base64(lines[Curve::FLOW]) + "', labels: [" + labels + "]};\n</script>\n";
+  scripts += "<script>\nconst data = {positions: '" + base64(positions) + "', corners: '" + base64(corners)
+             + "', field: '" + base64(field) + "', meridians: '" + base64(lines[Curve::MERIDIAN]) + "', others: '"
+             + base64(lines[Curve::OTHER]) + "', flow: '" + base64(lines[Curve::FLOW]) + "', labels: [" + labels
+             + "]};\n</script>\n";
   scripts += script(meridian_script_begin, meridian_script_end);
 
   std::string text(meridian_page_begin, meridian_page_end);

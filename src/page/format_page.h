@@ -18,18 +18,24 @@ struct Part
 // A curve on a part: vertices of its surface. Curves of one kind have one colour.
 struct Curve
 {
-  enum Kind { MERIDIAN, OTHER, FLOW };
+  enum Kind
+  {
+    MERIDIAN,
+    OTHER,
+    FLOW
+  };
   Kind kind;
   std::size_t part;
   std::vector<Index> path;
   bool is_closed;
-  std::string label; // written beside it, unless empty
+  std::string label;         // written beside it, unless empty
   std::vector<Point> points; // in place of a path, if that is empty
 };
 
-// A self-contained page that shows the surface shaded by its field, with curves drawn over it. `others` is what curves are
-// called that are no meridians.
-std::string format_page(const std::string& title, const std::string& caption, const std::string& others, const std::vector<Part>& parts, const std::vector<Curve>& curves,
+// A self-contained page that shows the surface shaded by its field, with curves drawn over it. `others` is what curves
+// are called that are no meridians.
+std::string format_page(const std::string& title, const std::string& caption, const std::string& others,
+                        const std::vector<Part>& parts, const std::vector<Curve>& curves,
                         const Assembled_result& assembled);
 
 } // namespace page

@@ -30,7 +30,10 @@ std::string format_unwrap_page(const std::string& title, const std::string& capt
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     const bool is_copy = mesh.copy_of[v] >= 0;
-    for (std::size_t i = 0; i < 3 && !is_copy; ++i) { positions.push_back(static_cast<float>((mesh.points[v][i] - 0.5 * low[i] - 0.5 * high[i]) / size)); }
+    for (std::size_t i = 0; i < 3 && !is_copy; ++i)
+    {
+      positions.push_back(static_cast<float>((mesh.points[v][i] - 0.5 * low[i] - 0.5 * high[i]) / size));
+    }
     for (double x : texture[v]) { places.push_back(static_cast<float>(x)); }
     original.push_back(static_cast<std::uint32_t>(is_copy ? static_cast<std::size_t>(mesh.copy_of[v]) : v));
   }
@@ -50,9 +53,11 @@ std::string format_unwrap_page(const std::string& title, const std::string& capt
   replace(text, "@TITLE@", escaped(title));
   replace(text, "@HEADING@", escaped(title.substr(title.find_last_of('/') + 1)));
   replace(text, "@CAPTION@", escaped(caption));
-  replace(text, "@SCRIPTS@", library_scripts() + "<script>\nconst data = {positions: '" + base64(positions) + "', places: '" + base64(places) + "', original: '"
-          + base64(original) + "', corners: '" + base64(corners) + "', stretch: '" + base64(stretch) + "', seams: '" + base64(seams) + "', borders: '"
-          + base64(borders) + "'};\n</script>\n" + script(meridian_unwrap_script_begin, meridian_unwrap_script_end));
+  replace(text, "@SCRIPTS@",
+          library_scripts() + "<script>\nconst data = {positions: '" + base64(positions) + "', places: '"
+            + base64(places) + "', original: '" + base64(original) + "', corners: '" + base64(corners) + "', stretch: '"
+            + base64(stretch) + "', seams: '" + base64(seams) + "', borders: '" + base64(borders) + "'};\n</script>\n"
+            + script(meridian_unwrap_script_begin, meridian_unwrap_script_end));
   return text;
 }
 

@@ -11,13 +11,14 @@
 namespace meridian {
 namespace page {
 
-// A self-contained page that shows an unwrapped mesh with a checkerboard on it, and its layout beside it; both can be coloured by
-// distortion instead.
+// A self-contained page that shows an unwrapped mesh with a checkerboard on it, and its layout beside it; both can be
+// coloured by distortion instead.
 //
-// `mesh` is an opened mesh whose copies follow the other vertices; `texture` has the place of each vertex in the unit square,
-// `distortion` a number for each face: 1 is none.
+// `mesh` is an opened mesh whose copies follow the other vertices; `texture` has the place of each vertex in the unit
+// square, `distortion` a number for each face: 1 is none.
 std::string format_unwrap_page(const std::string& title, const std::string& caption, const Result_mesh& mesh,
-                               const std::vector<std::array<double, 2>>& texture, const std::vector<double>& distortion);
+                               const std::vector<std::array<double, 2>>& texture,
+                               const std::vector<double>& distortion);
 
 } // namespace page
 } // namespace meridian

@@ -12,10 +12,21 @@ namespace meridian {
 namespace program {
 
 // The exit statuses of the program.
-enum Exit_status { VERIFIED = 0, UNUSABLE_INPUT = 1, NOT_VERIFIED = 2, NUMERICAL_FAILURE = 3, WRONG_USAGE = 64, INTERRUPTED = 130 };
+enum Exit_status
+{
+  VERIFIED = 0,
+  UNUSABLE_INPUT = 1,
+  NOT_VERIFIED = 2,
+  NUMERICAL_FAILURE = 3,
+  WRONG_USAGE = 64,
+  INTERRUPTED = 130
+};
 
 // An option whose value does not fit the mesh.
-struct Usage_error : std::runtime_error { using std::runtime_error::runtime_error; };
+struct Usage_error : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 
 // What all subcommands share.
 struct Common_arguments
@@ -25,7 +36,10 @@ struct Common_arguments
   bool repair = false;
 };
 
-struct Info_arguments : Common_arguments { std::vector<std::string> meshes; };
+struct Info_arguments : Common_arguments
+{
+  std::vector<std::string> meshes;
+};
 
 // What the commands share that make something of a field.
 struct Field_arguments : Common_arguments
@@ -75,7 +89,10 @@ struct Generator_arguments : Field_arguments
   bool no_tighten = false, complex = false;
 };
 
-struct Verify_arguments : Common_arguments { std::string mesh, result; };
+struct Verify_arguments : Common_arguments
+{
+  std::string mesh, result;
+};
 
 int run_info(const Info_arguments& arguments);
 int run_cut(const Cut_arguments& arguments);
@@ -85,8 +102,9 @@ int run_compare(const Compare_arguments& arguments);
 int run_generators(const Generator_arguments& arguments);
 int run_verify(const Verify_arguments& arguments);
 
-// From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and takes
-// what it has written with it. Until then signals end the program at once, so that a read that blocks can be ended.
+// From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and
+// takes what it has written with it. Until then signals end the program at once, so that a read that blocks can be
+// ended.
 void heed_interrupts();
 bool is_interrupted();
 

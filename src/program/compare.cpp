@@ -13,14 +13,19 @@ namespace program {
 namespace {
 
 // The discs of one cut, one a component; a failure of its recount is noted.
-std::vector<Cut_disc> read_cut(const std::string& name, const Polygon_soup& soup, const Examination& examination, std::vector<std::string>& failures)
+std::vector<Cut_disc> read_cut(const std::string& name, const Polygon_soup& soup, const Examination& examination,
+                               std::vector<std::string>& failures)
 {
   std::vector<Cut_disc> discs;
   const bool is_number = !name.empty() && name.size() < 4 && name.find_first_not_of("0123456789") == std::string::npos;
   if (!is_number)
   {
     const files::Result_files result = files::read_result(name);
-    if (result.kind == files::Result_kind::GENERATORS) { throw Invalid_input_error(name + ": generators are not taken apart into discs; give a result of `cut` or `unwrap`"); }
+    if (result.kind == files::Result_kind::GENERATORS)
+    {
+      throw Invalid_input_error(name
+                                + ": generators are not taken apart into discs; give a result of `cut` or `unwrap`");
+    }
     const Verification recount = verify_cut(soup, result.mesh);
     for (const std::string& failure : recount.failures) { failures.push_back(name + ": " + failure); }
     if (!recount) { return discs; }
@@ -38,7 +43,10 @@ std::vector<Cut_disc> read_cut(const std::string& name, const Polygon_soup& soup
       ++found;
     }
     if (!last) { throw Internal_error("compare: a family is empty"); }
-    if (found <= member && examination.components.size() == 1) { throw Usage_error("--cut " + name + ": the family has " + std::to_string(found) + " members"); }
+    if (found <= member && examination.components.size() == 1)
+    {
+      throw Usage_error("--cut " + name + ": the family has " + std::to_string(found) + " members");
+    }
     discs.push_back(cut_disc_of(c.surface, last->cut)); // a component with fewer cuts keeps its last
   }
   return discs;
@@ -46,8 +54,13 @@ std::vector<Cut_disc> read_cut(const std::string& name, const Polygon_soup& soup
 
 Json report_distortion(const Distortion& d, Index flipped)
 {
-  return {{"flipped", flipped}, {"stretch_l2", d.stretch_l2}, {"stretch_linf", d.stretch_linf}, {"angle", d.angle * 180 / std::acos(-1.)}, {"area", d.area},
-          {"conformal", d.conformal}, {"areal", d.areal}};
+  return {{"flipped", flipped},
+          {"stretch_l2", d.stretch_l2},
+          {"stretch_linf", d.stretch_linf},
+          {"angle", d.angle * 180 / std::acos(-1.)},
+          {"area", d.area},
+          {"conformal", d.conformal},
+          {"areal", d.areal}};
 }
 
 } // namespace
@@ -58,15 +71,22 @@ int run_compare(const Compare_arguments& arguments)
   heed_interrupts();
   const Examination examination = examine_surface(soup, arguments.repair);
   std::vector<std::string> failures;
-  const auto first = read_cut(arguments.cuts[0], soup, examination, failures), second = read_cut(arguments.cuts[1], soup, examination, failures);
+  const auto first = read_cut(arguments.cuts[0], soup, examination, failures),
+             second = read_cut(arguments.cuts[1], soup, examination, failures);
   Map_weights weights = Map_weights::POSITIVE;
-  for (Map_weights w : {Map_weights::UNIFORM, Map_weights::COTANGENT}) { if (arguments.weights == name_of(w)) { weights = w; } }
+  for (Map_weights w : {Map_weights::UNIFORM, Map_weights::COTANGENT})
+  {
+    if (arguments.weights == name_of(w)) { weights = w; }
+  }
   Json components = Json::array();
   for (std::size_t i = 0; i < examination.components.size() && failures.empty(); ++i)
   {
     const Surface_component& component = examination.components[i];
     const Map_comparison c = compare_parameterizations(component.surface, first[i], second[i], weights);
-    if (!(c.bound <= c.variation)) { failures.push_back("component " + std::to_string(i) + ": the lower bound is larger than the variation"); }
+    if (!(c.bound <= c.variation))
+    {
+      failures.push_back("component " + std::to_string(i) + ": the lower bound is larger than the variation");
+    }
     Json r = report_counts(component);
     r["untouched"] = c.untouched.size();
     r["variation"] = component.unit * c.variation;
@@ -78,18 +98,26 @@ int run_compare(const Compare_arguments& arguments)
     r["maps"] = {report_distortion(c.distortion[0], c.flipped[0]), report_distortion(c.distortion[1], c.flipped[1])};
     components.push_back(r);
     if (arguments.quiet) { continue; }
-    std::cout << "component " << i << ": " << c.untouched.size() << " of " << component.surface.number_of_vertices() << " vertices are touched by neither cut\n";
+    std::cout << "component " << i << ": " << c.untouched.size() << " of " << component.surface.number_of_vertices()
+              << " vertices are touched by neither cut\n";
     if (!c.untouched.empty())
-      std::cout << "  variation " << component.unit * c.variation << ", at least " << component.unit * c.bound << "; root mean square over the diameter " << c.relative_variation << '\n';
+      std::cout << "  variation " << component.unit * c.variation << ", at least " << component.unit * c.bound
+                << "; root mean square over the diameter " << c.relative_variation << '\n';
     for (int k = 0; k < 2; ++k)
-      std::cout << "  " << arguments.cuts[k] << ": L2 stretch " << c.distortion[k].stretch_l2 << ", angle " << c.distortion[k].angle * 180 / std::acos(-1.) << " degrees, area "
-                << c.distortion[k].area << ", flipped faces " << c.flipped[k] << '\n';
+      std::cout << "  " << arguments.cuts[k] << ": L2 stretch " << c.distortion[k].stretch_l2 << ", angle "
+                << c.distortion[k].angle * 180 / std::acos(-1.) << " degrees, area " << c.distortion[k].area
+                << ", flipped faces " << c.flipped[k] << '\n';
   }
   if (!arguments.report.empty())
   {
     files::Output_files out;
-    out.add(arguments.report, format_report({{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, soup, examination)}, {"cuts", arguments.cuts},
-                                             {"weights", arguments.weights}, {"components", components}, {"failures", failures}, {"verified", failures.empty()}}));
+    out.add(arguments.report, format_report({{"meridian", MERIDIAN_VERSION},
+                                             {"input", report_input(arguments.mesh, soup, examination)},
+                                             {"cuts", arguments.cuts},
+                                             {"weights", arguments.weights},
+                                             {"components", components},
+                                             {"failures", failures},
+                                             {"verified", failures.empty()}}));
     out.commit();
   }
   for (const std::string& failure : failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }

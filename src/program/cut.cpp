@@ -14,7 +14,10 @@ namespace program {
 
 namespace {
 
-double since(std::chrono::steady_clock::time_point begin) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); }
+double since(std::chrono::steady_clock::time_point begin)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
 
 // The options for one component.
 Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::size_t place)
@@ -22,8 +25,14 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
   const Surface_component& c = loaded.examination.components[place];
   Cut_options o;
   set_field_options(a, loaded, place, o, o.preference, o.levels);
-  for (Cut_method method : {Cut_method::CONTOURS, Cut_method::GENERATORS, Cut_method::MORSE, Cut_method::GEODESIC, Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE}) { if (a.method == name_of(method)) { o.method = method; } }
-  o.join = a.join == "complex" ? Generator_join::COMPLEX : a.join == "saddles" ? Generator_join::SADDLES : Generator_join::SURFACE;
+  for (Cut_method method : {Cut_method::CONTOURS, Cut_method::GENERATORS, Cut_method::MORSE, Cut_method::GEODESIC,
+                            Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE})
+  {
+    if (a.method == name_of(method)) { o.method = method; }
+  }
+  o.join = a.join == "complex"   ? Generator_join::COMPLEX
+           : a.join == "saddles" ? Generator_join::SADDLES
+                                 : Generator_join::SURFACE;
   o.tightening = a.tighten == "no" ? Tightening::NONE : a.tighten == "graph" ? Tightening::GRAPH : Tightening::CURVES;
   o.on_edges = a.on_edges;
   o.refine_where_needed = a.refine_where_needed;
@@ -39,7 +48,8 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
   return o;
 }
 
-std::string format_view(const std::string& title, const Examination& examination, const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
+std::string format_view(const std::string& title, const Examination& examination, const std::vector<Disc_cut>& cuts,
+                        const Assembled_result& assembled)
 {
   std::vector<page::Part> parts;
   std::vector<page::Curve> curves;
@@ -58,7 +68,8 @@ std::string format_view(const std::string& title, const Examination& examination
     length += examination.components[i].unit * cuts[i].length;
   }
   std::ostringstream caption;
-  caption << cuts.size() << (cuts.size() == 1 ? " component" : " components") << ", genus " << genus << ", " << loops << " boundary loops; cut length " << length;
+  caption << cuts.size() << (cuts.size() == 1 ? " component" : " components") << ", genus " << genus << ", " << loops
+          << " boundary loops; cut length " << length;
   const bool has_paths = std::any_of(cuts.begin(), cuts.end(), [](const Disc_cut& cut) { return !cut.paths.empty(); });
   return page::format_page(title, caption.str(), has_paths ? "paths" : "links", parts, curves, assembled);
 }
@@ -68,7 +79,8 @@ std::string format_view(const std::string& title, const Examination& examination
 std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
 {
   std::vector<Result_curve> meridians, longitudes, lines, links, paths, boundaries;
-  const auto add = [&](std::vector<Result_curve>& curves, const char* kind, const std::vector<Index>& path, std::size_t component, bool closed) {
+  const auto add = [&](std::vector<Result_curve>& curves, const char* kind, const std::vector<Index>& path,
+                       std::size_t component, bool closed) {
     Result_curve c{kind + ("_" + std::to_string(curves.size())), {}, {}};
     for (Index v : path) { c.points.push_back(assembled.place[component][v]); }
     if (closed) { c.points.push_back(c.points.front()); }
@@ -88,29 +100,48 @@ std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const A
       add(boundaries, "boundary", path, i, true);
     }
   }
-  for (const auto* more : {&longitudes, &lines, &links, &paths, &boundaries}) { meridians.insert(meridians.end(), more->begin(), more->end()); }
+  for (const auto* more : {&longitudes, &lines, &links, &paths, &boundaries})
+  {
+    meridians.insert(meridians.end(), more->begin(), more->end());
+  }
   return meridians;
 }
 
 void check_cut_arguments(const Cut_arguments& a)
 {
   check_arguments(a);
-  const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
-  const bool is_of_edges = a.method == "tree-cotree" || a.method == "geometry-image", has_field = !a.values.empty() || a.field != "harmonic";
-  forbid((a.method != "contours" && a.method != "geodesic") && a.links == "plane", "--links plane goes with --method contours or geodesic");
+  const auto forbid = [](bool is_wrong, const char* message) {
+    if (is_wrong) { throw Usage_error(message); }
+  };
+  const bool is_of_edges = a.method == "tree-cotree" || a.method == "geometry-image",
+             has_field = !a.values.empty() || a.field != "harmonic";
+  forbid((a.method != "contours" && a.method != "geodesic") && a.links == "plane",
+         "--links plane goes with --method contours or geodesic");
   forbid(a.method != "generators" && a.join != "surface", "--join goes with --method generators");
-  forbid(a.links == "plane" && (a.bifurcations || a.on_edges), "--links plane goes without --bifurcations and --on-edges");
+  forbid(a.links == "plane" && (a.bifurcations || a.on_edges),
+         "--links plane goes without --bifurcations and --on-edges");
   forbid(a.refine_where_needed && !a.on_edges, "--refine-where-needed goes with --on-edges");
   forbid(a.refine_where_needed && a.tighten == "graph", "--refine-where-needed goes without --tighten graph");
-  forbid((is_of_edges || a.method == "geodesic") && has_field, "this --method has a field of its own or none; leave out --field and --values");
-  forbid(a.has_from && a.method != "geodesic" && a.method != "tree-cotree" && a.field != "distance", "--from goes with --method geodesic or tree-cotree, or with --field distance");
-  const bool has_meridian_choice = a.prefer != "gaussian-curvature" || a.levels != "saddle", has_field_choice = a.weights != "positive" || a.has_extrema;
-  forbid(is_of_edges && (!a.minima.empty() || !a.maxima.empty() || a.has_source || a.bifurcations || has_field_choice || has_meridian_choice), "methods that cut edges have no field, no meridians and no links");
-  forbid(a.method == "geodesic" && has_field_choice, "--method geodesic has a field of its own; leave out --weights and --extrema");
-  forbid(a.method == "morse" && has_meridian_choice, "--method morse cuts the lines of all saddles; leave out --prefer and --levels");
-  forbid(a.has_bases && (a.method != "tree-cotree" || a.has_from), "--bases goes with --method tree-cotree, and without --from");
-  forbid(a.has_source && a.on_edges && (a.method == "generators" || a.method == "morse"), "--source goes without --on-edges with this --method");
-  forbid(a.has_source && a.tighten == "graph", "--source goes without --tighten graph, which would move the links away from it");
+  forbid((is_of_edges || a.method == "geodesic") && has_field,
+         "this --method has a field of its own or none; leave out --field and --values");
+  forbid(a.has_from && a.method != "geodesic" && a.method != "tree-cotree" && a.field != "distance",
+         "--from goes with --method geodesic or tree-cotree, or with --field distance");
+  const bool has_meridian_choice = a.prefer != "gaussian-curvature" || a.levels != "saddle",
+             has_field_choice = a.weights != "positive" || a.has_extrema;
+  forbid(is_of_edges
+           && (!a.minima.empty() || !a.maxima.empty() || a.has_source || a.bifurcations || has_field_choice
+               || has_meridian_choice),
+         "methods that cut edges have no field, no meridians and no links");
+  forbid(a.method == "geodesic" && has_field_choice,
+         "--method geodesic has a field of its own; leave out --weights and --extrema");
+  forbid(a.method == "morse" && has_meridian_choice,
+         "--method morse cuts the lines of all saddles; leave out --prefer and --levels");
+  forbid(a.has_bases && (a.method != "tree-cotree" || a.has_from),
+         "--bases goes with --method tree-cotree, and without --from");
+  forbid(a.has_source && a.on_edges && (a.method == "generators" || a.method == "morse"),
+         "--source goes without --on-edges with this --method");
+  forbid(a.has_source && a.tighten == "graph",
+         "--source goes without --tighten graph, which would move the links away from it");
 }
 
 std::vector<Cut_options> cut_options(const Cut_arguments& arguments, const Loaded_mesh& loaded, Terminal& terminal)
@@ -125,12 +156,15 @@ std::vector<Cut_options> cut_options(const Cut_arguments& arguments, const Loade
   return options;
 }
 
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal)
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+                        Terminal& terminal)
 {
-  return conclude_cut(loaded, std::move(cuts), options, terminal, [&](const Assembled_result& assembled) { return verify_cut(loaded.soup, assembled.mesh); });
+  return conclude_cut(loaded, std::move(cuts), options, terminal,
+                      [&](const Assembled_result& assembled) { return verify_cut(loaded.soup, assembled.mesh); });
 }
 
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal, const Recount& recount)
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+                        Terminal& terminal, const Recount& recount)
 {
   Cut_result r;
   r.cuts = std::move(cuts);
@@ -152,13 +186,20 @@ Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, c
   return r;
 }
 
-void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded, const Cut_result& result)
+void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded,
+             const Cut_result& result)
 {
   const Result_mesh& mesh = result.assembled.mesh;
   out.add(arguments.out, files::format_mesh(arguments.out, mesh));
   out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::CUT));
-  if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled))); }
-  if (!arguments.view.empty()) { out.add(arguments.view, format_view(arguments.mesh, loaded.examination, result.cuts, result.assembled)); }
+  if (!arguments.curves.empty())
+  {
+    out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled)));
+  }
+  if (!arguments.view.empty())
+  {
+    out.add(arguments.view, format_view(arguments.mesh, loaded.examination, result.cuts, result.assembled));
+  }
 }
 
 int run_cut(const Cut_arguments& arguments)
@@ -177,9 +218,16 @@ int run_cut(const Cut_arguments& arguments)
   }
   const Cut_result result = conclude_cut(loaded, std::move(found), options, terminal);
   const Verification& verification = result.verification;
-  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, examination)}, {"components", result.components},
-                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", result.seconds_assembling}, {"verify", result.seconds_verifying}}},
-                    {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
+  const Json report{{"meridian", MERIDIAN_VERSION},
+                    {"input", report_input(arguments.mesh, loaded.soup, examination)},
+                    {"components", result.components},
+                    {"seconds",
+                     {{"read", loaded.seconds_reading},
+                      {"examine", loaded.seconds_examining},
+                      {"assemble", result.seconds_assembling},
+                      {"verify", result.seconds_verifying}}},
+                    {"failures", verification.failures},
+                    {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
@@ -188,14 +236,22 @@ int run_cut(const Cut_arguments& arguments)
   out.commit();
   terminal.clear();
 
-  for (const std::string& failure : verification.failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }
+  for (const std::string& failure : verification.failures)
+  {
+    std::cerr << "meridian: not verified: " << failure << '\n';
+  }
   if (!arguments.quiet)
   {
     for (const std::string& repair : examination.repairs) { std::cout << "note: " << repair << '\n'; }
     for (std::size_t i = 0; i < result.cuts.size(); ++i)
-      if (!result.cuts[i].link_note.empty()) { std::cout << "note: component " << i << ": links run on the surface, because " << result.cuts[i].link_note << '\n'; }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << result.cuts.size()
-              << (result.cuts.size() == 1 ? " component" : " components") << " (genus " << result.genus << ", boundary loops " << result.loops << "), each "
+      if (!result.cuts[i].link_note.empty())
+      {
+        std::cout << "note: component " << i << ": links run on the surface, because " << result.cuts[i].link_note
+                  << '\n';
+      }
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ")
+              << result.cuts.size() << (result.cuts.size() == 1 ? " component" : " components") << " (genus "
+              << result.genus << ", boundary loops " << result.loops << "), each "
               << (verification ? "now a disc" : "expected to be a disc") << "; cut length " << result.length << '\n';
   }
   return verification ? VERIFIED : NOT_VERIFIED;

@@ -34,14 +34,17 @@ struct Cut_result
 };
 // `recount` verifies what was put together.
 using Recount = std::function<Verification(const Assembled_result&)>;
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal, const Recount& recount);
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options, Terminal& terminal);
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+                        Terminal& terminal, const Recount& recount);
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+                        Terminal& terminal);
 
 // The curves of all components as they are written.
 std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled);
 
 // The mesh, its map, the curves and the page, at the paths of the arguments.
-void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded, const Cut_result& result);
+void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded,
+             const Cut_result& result);
 
 } // namespace program
 } // namespace meridian

@@ -25,7 +25,13 @@ std::string numbered(const std::string& path, std::size_t number)
   return std::string(path).insert(dot == std::string::npos || dot < name ? end : dot, text.str());
 }
 
-struct Row { std::string name, file; double length; std::size_t new_vertices; double smallest_angle; };
+struct Row
+{
+  std::string name, file;
+  double length;
+  std::size_t new_vertices;
+  double smallest_angle;
+};
 
 } // namespace
 
@@ -85,20 +91,34 @@ int run_family(const Cut_arguments& arguments)
       row.new_vertices += cut.surface.origins.size();
       row.smallest_angle = std::min(row.smallest_angle, cut.smallest_angle_after * 180 / std::acos(-1.));
     }
-    members.push_back({{"name", row.name}, {"file", row.file}, {"length", row.length}, {"new_vertices", row.new_vertices},
-                       {"smallest_angle", row.smallest_angle}, {"components", result.components}, {"failures", result.verification.failures},
+    members.push_back({{"name", row.name},
+                       {"file", row.file},
+                       {"length", row.length},
+                       {"new_vertices", row.new_vertices},
+                       {"smallest_angle", row.smallest_angle},
+                       {"components", result.components},
+                       {"failures", result.verification.failures},
                        {"verified", static_cast<bool>(result.verification)}});
-    for (const std::string& failure : result.verification.failures) { std::cerr << "meridian: " << row.name << " not verified: " << failure << '\n'; }
+    for (const std::string& failure : result.verification.failures)
+    {
+      std::cerr << "meridian: " << row.name << " not verified: " << failure << '\n';
+    }
     if (result.verification) { add_cut(out, paths, loaded, result); }
     is_verified = is_verified && result.verification;
     rows.push_back(std::move(row));
   }
   std::vector<std::array<double, 3>> costs;
-  for (const Row& row : rows) { costs.push_back({row.length, static_cast<double>(row.new_vertices), -row.smallest_angle}); }
+  for (const Row& row : rows)
+  {
+    costs.push_back({row.length, static_cast<double>(row.new_vertices), -row.smallest_angle});
+  }
   const std::vector<char> is_best = find_best_cuts(costs);
   for (std::size_t i = 0; i < rows.size(); ++i) { members[i]["best"] = static_cast<bool>(is_best[i]); }
-  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)}, {"family", members},
-                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}}}, {"verified", is_verified}};
+  const Json report{{"meridian", MERIDIAN_VERSION},
+                    {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)},
+                    {"family", members},
+                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}}},
+                    {"verified", is_verified}};
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
   out.commit();
@@ -108,9 +128,11 @@ int run_family(const Cut_arguments& arguments)
     for (const std::string& repair : loaded.examination.repairs) { std::cout << "note: " << repair << '\n'; }
     std::cout << "      length  new vertices  smallest angle\n";
     for (std::size_t i = 0; i < rows.size(); ++i)
-      std::cout << std::setw(12) << rows[i].length << std::setw(14) << rows[i].new_vertices << std::setw(15) << std::setprecision(3) << rows[i].smallest_angle
-                << std::setprecision(6) << (is_best[i] ? " * " : "   ") << rows[i].file << ": " << rows[i].name << '\n';
-    std::cout << (is_verified ? "verified: " : "NOT all verified: ") << rows.size() << " different cuts; * no other is as good in every respect\n";
+      std::cout << std::setw(12) << rows[i].length << std::setw(14) << rows[i].new_vertices << std::setw(15)
+                << std::setprecision(3) << rows[i].smallest_angle << std::setprecision(6)
+                << (is_best[i] ? " * " : "   ") << rows[i].file << ": " << rows[i].name << '\n';
+    std::cout << (is_verified ? "verified: " : "NOT all verified: ") << rows.size()
+              << " different cuts; * no other is as good in every respect\n";
   }
   return is_verified ? VERIFIED : NOT_VERIFIED;
 }

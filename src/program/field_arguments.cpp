@@ -18,35 +18,48 @@ namespace program {
 
 void check_paths(const Field_arguments& a, const std::vector<std::string>& written)
 {
-  const auto place = [](const std::string& path) { return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string(); };
+  const auto place = [](const std::string& path) {
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+  };
   std::set<std::string> places;
-  for (const std::string& path : {a.mesh, a.values, a.vertex_weights}) { if (!path.empty()) { places.insert(place(path)); } }
+  for (const std::string& path : {a.mesh, a.values, a.vertex_weights})
+  {
+    if (!path.empty()) { places.insert(place(path)); }
+  }
   for (const std::string& path : written)
     if (!path.empty() && !places.insert(place(path)).second)
-      throw Usage_error(path + " would be written twice, or over a file that is read; give every file a name of its own");
+      throw Usage_error(path
+                        + " would be written twice, or over a file that is read; give every file a name of its own");
 }
 
 void check_arguments(const Field_arguments& a)
 {
   check_paths(a, {a.out, files::map_path(a.out), a.report, a.view, a.curves});
-  const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
+  const auto forbid = [](bool is_wrong, const char* message) {
+    if (is_wrong) { throw Usage_error(message); }
+  };
   const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
   forbid(!(far > 0) || !std::isfinite(far), "--direction must be finite and not 0 0 0");
   const bool is_harmonic = a.values.empty() && a.field == "harmonic";
-  forbid(a.has_direction && a.prefer != "position" && a.prefer != "hidden", "--direction goes with --prefer position or hidden");
+  forbid(a.has_direction && a.prefer != "position" && a.prefer != "hidden",
+         "--direction goes with --prefer position or hidden");
   forbid((a.prefer == "weights") == a.vertex_weights.empty(), "--prefer weights and --vertex-weights go together");
   forbid(!a.values.empty() && a.field != "harmonic", "--values is a field; leave out --field");
   forbid(a.eigenfunction > 0 && a.field != "eigenfunction", "--eigenfunction goes with --field eigenfunction");
-  forbid(a.has_extrema && (!is_harmonic || !a.minima.empty() || !a.maxima.empty()), "--extrema is for harmonic fields, and without --minimum and --maximum");
-  forbid(a.weights != "positive" && (!a.values.empty() || a.field == "distance"), "--weights goes with fields that are solved for with them: harmonic or eigenfunction");
-  forbid(a.weights == "mean-value" && (a.field == "eigenfunction" || a.extrema == "curved"), "eigenfunctions need symmetric weights; mean-value weights are not");
+  forbid(a.has_extrema && (!is_harmonic || !a.minima.empty() || !a.maxima.empty()),
+         "--extrema is for harmonic fields, and without --minimum and --maximum");
+  forbid(a.weights != "positive" && (!a.values.empty() || a.field == "distance"),
+         "--weights goes with fields that are solved for with them: harmonic or eigenfunction");
+  forbid(a.weights == "mean-value" && (a.field == "eigenfunction" || a.extrema == "curved"),
+         "eigenfunctions need symmetric weights; mean-value weights are not");
 }
 
 void check_vertex(const char* option, Index v, const Examination& examination)
 {
   for (const Surface_component& c : examination.components)
     if (std::binary_search(c.vertex_of.begin(), c.vertex_of.end(), v)) { return; }
-  throw Usage_error(std::string(option) + ": no face of the mesh has a vertex " + std::to_string(v) + "; vertices are counted from 0");
+  throw Usage_error(std::string(option) + ": no face of the mesh has a vertex " + std::to_string(v)
+                    + "; vertices are counted from 0");
 }
 
 Loaded_mesh load_mesh(const Field_arguments& a)
@@ -80,22 +93,29 @@ std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_
   return found;
 }
 
-void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place, Field_options& field, Preference& preference, Levels& levels)
+void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place, Field_options& field,
+                       Preference& preference, Levels& levels)
 {
   const Surface_component& c = loaded.examination.components[place];
-  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT, Weights::INTRINSIC_DELAUNAY}) { if (a.weights == name_of(w)) { field.weights = w; } }
+  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT, Weights::INTRINSIC_DELAUNAY})
+  {
+    if (a.weights == name_of(w)) { field.weights = w; }
+  }
   field.minima = find_local(a.minima, c);
   field.maxima = find_local(a.maxima, c);
   if (c.genus() > 0 && field.minima.empty() != field.maxima.empty())
-    throw Usage_error("--minimum and --maximum go together: component " + std::to_string(place) + " has one of them and needs the other");
+    throw Usage_error("--minimum and --maximum go together: component " + std::to_string(place)
+                      + " has one of them and needs the other");
   if (c.genus() > 0 && !field.minima.empty())
   {
     const Closed_model g = make_closed_model(c.surface);
     for (Index v : field.minima)
       for (Index w : field.maxima)
         if (g.node[v] == g.node[w])
-          throw Usage_error("--minimum " + std::to_string(c.vertex_of[v]) + " and --maximum " + std::to_string(c.vertex_of[w])
-                            + (v == w ? " are one vertex" : " lie on one boundary loop, which is one place of the field") + "; choose them apart");
+          throw Usage_error(
+            "--minimum " + std::to_string(c.vertex_of[v]) + " and --maximum " + std::to_string(c.vertex_of[w])
+            + (v == w ? " are one vertex" : " lie on one boundary loop, which is one place of the field")
+            + "; choose them apart");
   }
   const auto local = [&](const std::vector<double>& values) { // of the file's vertices, for those of the component
     std::vector<double> own;
@@ -120,7 +140,8 @@ void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std:
       const auto from = a.has_from ? find_local({a.from}, c) : std::vector<Index>();
       const Closed_model g = make_closed_model(c.surface);
       field.values_name = "distance";
-      field.values = geodesic_distance(c.surface, {from.empty() ? g.representative[find_distant_nodes(c.surface, g).first] : from.front()});
+      field.values = geodesic_distance(
+        c.surface, {from.empty() ? g.representative[find_distant_nodes(c.surface, g).first] : from.front()});
     }
     else if (a.extrema == "curved")
     {

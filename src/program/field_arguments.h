@@ -33,10 +33,11 @@ Loaded_mesh load_mesh(const Field_arguments& arguments);
 // Those of the vertices of the file that lie on a component, in its numbers.
 std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& component);
 
-// The part of the options for one component that concerns the field and what is preferred. Vertices of the file that the
-// component does not have are left to the others. `place` is its number.
+// The part of the options for one component that concerns the field and what is preferred. Vertices of the file that
+// the component does not have are left to the others. `place` is its number.
 // Fields are solved for here, where they are not harmonic.
-void set_field_options(const Field_arguments& arguments, const Loaded_mesh& loaded, std::size_t place, Field_options& field, Preference& preference, Levels& levels);
+void set_field_options(const Field_arguments& arguments, const Loaded_mesh& loaded, std::size_t place,
+                       Field_options& field, Preference& preference, Levels& levels);
 
 } // namespace program
 } // namespace meridian

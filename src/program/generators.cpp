@@ -7,8 +7,8 @@
 #include "page/format_page.h"
 #include "report.h"
 
-#include <meridian/result/assemble_result.h>
 #include <meridian/handles/classify_generators.h>
+#include <meridian/result/assemble_result.h>
 
 #include <chrono>
 #include <iostream>
@@ -47,7 +47,8 @@ struct Outcome
 };
 
 template <class Curves>
-Outcome conclude(const Polygon_soup& soup, const Examination& examination, const std::vector<Curves>& all, Terminal& terminal)
+Outcome conclude(const Polygon_soup& soup, const Examination& examination, const std::vector<Curves>& all,
+                 Terminal& terminal)
 {
   Outcome o;
   o.assembled = assemble_refined(soup, examination, all);
@@ -80,11 +81,13 @@ std::string format_curves(const Outcome& o)
 std::string caption(std::size_t components, int curves, const char* what)
 {
   std::ostringstream text;
-  text << components << (components == 1 ? " component, " : " components, ") << curves << ' ' << what << (curves == 1 ? "" : "s");
+  text << components << (components == 1 ? " component, " : " components, ") << curves << ' ' << what
+       << (curves == 1 ? "" : "s");
   return text.str();
 }
 
-std::string format_view(const std::string& title, const Examination& examination, const std::vector<Generators>& all, const Assembled_result& assembled)
+std::string format_view(const std::string& title, const Examination& examination, const std::vector<Generators>& all,
+                        const Assembled_result& assembled)
 {
   std::vector<page::Part> parts;
   std::vector<page::Curve> curves;
@@ -98,12 +101,16 @@ std::string format_view(const std::string& title, const Examination& examination
       curves.push_back({page::Curve::MERIDIAN, i, pair.meridian.vertices, true, number, {}});
       curves.push_back({page::Curve::OTHER, i, pair.longitude.vertices, true, number, {}});
     }
-    for (const auto& line : all[i].complex_lines) { curves.push_back({page::Curve::FLOW, i, {}, false, "", in_file(examination.components[i], line)}); }
+    for (const auto& line : all[i].complex_lines)
+    {
+      curves.push_back({page::Curve::FLOW, i, {}, false, "", in_file(examination.components[i], line)});
+    }
   }
   return page::format_page(title, caption(all.size(), handle, "handle"), "longitudes", parts, curves, assembled);
 }
 
-std::string format_view(const std::string& title, const Examination& examination, const std::vector<Homology_basis>& all, const Assembled_result& assembled)
+std::string format_view(const std::string& title, const Examination& examination,
+                        const std::vector<Homology_basis>& all, const Assembled_result& assembled)
 {
   static const std::vector<double> no_field;
   std::vector<page::Part> parts;
@@ -111,16 +118,23 @@ std::string format_view(const std::string& title, const Examination& examination
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     parts.push_back({examination.components[i].surface, all[i].surface, no_field});
-    for (const Generator_curve& loop : all[i].loops) { curves.push_back({page::Curve::OTHER, i, loop.vertices, true, std::to_string(curves.size()), {}}); }
+    for (const Generator_curve& loop : all[i].loops)
+    {
+      curves.push_back({page::Curve::OTHER, i, loop.vertices, true, std::to_string(curves.size()), {}});
+    }
   }
-  return page::format_page(title, caption(all.size(), static_cast<int>(curves.size()), "loop"), "loops", parts, curves, assembled);
+  return page::format_page(title, caption(all.size(), static_cast<int>(curves.size()), "loop"), "loops", parts, curves,
+                           assembled);
 }
 
 } // namespace
 
 int run_generators(const Generator_arguments& arguments)
 {
-  if (files::format_of(arguments.out) != "obj") { throw Usage_error(arguments.out + ": generators are written as OBJ, with a line element for each curve"); }
+  if (files::format_of(arguments.out) != "obj")
+  {
+    throw Usage_error(arguments.out + ": generators are written as OBJ, with a line element for each curve");
+  }
   check_arguments(arguments);
   Terminal terminal(arguments.quiet);
   const Loaded_mesh loaded = load_mesh(arguments);
@@ -150,7 +164,8 @@ int run_generators(const Generator_arguments& arguments)
     double longitudes = 0;
     for (std::size_t i = 0; i < all.size(); ++i)
     {
-      components.push_back(report_generators(all[i], examination.components[i], outcome.verification.curves[i], options[i], handles));
+      components.push_back(
+        report_generators(all[i], examination.components[i], outcome.verification.curves[i], options[i], handles));
       handles += all[i].genus;
       for (const Generator_pair& pair : all[i].pairs)
       {
@@ -159,11 +174,15 @@ int run_generators(const Generator_arguments& arguments)
       }
     }
     std::ostringstream text;
-    text << handles << (handles == 1 ? " handle" : " handles") << ", meridians " << length << ", longitudes " << longitudes;
+    text << handles << (handles == 1 ? " handle" : " handles") << ", meridians " << length << ", longitudes "
+         << longitudes;
     summary = text.str();
     if (!arguments.view.empty()) { view = format_view(arguments.mesh, examination, all, outcome.assembled); }
     for (std::size_t i = 0; i < all.size(); ++i)
-      for (const auto& line : all[i].complex_lines) { outcome.lines.push_back(in_file(examination.components[i], line)); }
+      for (const auto& line : all[i].complex_lines)
+      {
+        outcome.lines.push_back(in_file(examination.components[i], line));
+      }
   }
   else
   {
@@ -190,16 +209,22 @@ int run_generators(const Generator_arguments& arguments)
     if (!arguments.view.empty()) { view = format_view(arguments.mesh, examination, all, outcome.assembled); }
   }
   const Generator_verification& verification = outcome.verification;
-  const Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, soup, examination)}, {"components", components},
-                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"verify", outcome.seconds_verifying}}},
-                    {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
+  const Json report{
+    {"meridian", MERIDIAN_VERSION},
+    {"input", report_input(arguments.mesh, soup, examination)},
+    {"components", components},
+    {"seconds",
+     {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"verify", outcome.seconds_verifying}}},
+    {"failures", verification.failures},
+    {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   if (verification)
   {
     out.add(arguments.out, files::format_mesh_with_curves(outcome.assembled.mesh, outcome.curves));
-    out.add(files::map_path(arguments.out), files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, outcome.curves));
+    out.add(files::map_path(arguments.out),
+            files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, outcome.curves));
     if (!arguments.curves.empty()) { out.add(arguments.curves, format_curves(outcome)); }
     if (!arguments.view.empty()) { out.add(arguments.view, view); }
   }
@@ -207,11 +232,15 @@ int run_generators(const Generator_arguments& arguments)
   out.commit();
   terminal.clear();
 
-  for (const std::string& failure : verification.failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }
+  for (const std::string& failure : verification.failures)
+  {
+    std::cerr << "meridian: not verified: " << failure << '\n';
+  }
   if (!arguments.quiet)
   {
     for (const std::string& repair : examination.repairs) { std::cout << "note: " << repair << '\n'; }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << examination.components.size()
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ")
+              << examination.components.size()
               << (examination.components.size() == 1 ? " component: " : " components: ") << summary << '\n';
   }
   return verification ? VERIFIED : NOT_VERIFIED;

@@ -14,8 +14,8 @@ namespace {
 void print(const std::string& mesh, const Polygon_soup& soup, const Examination& e)
 {
   constexpr std::size_t shown = 20;
-  std::cout << mesh << ": " << soup.points.size() << " vertices, " << soup.number_of_polygons() << " faces, " << e.components.size()
-            << (e.components.size() == 1 ? " component\n" : " components\n");
+  std::cout << mesh << ": " << soup.points.size() << " vertices, " << soup.number_of_polygons() << " faces, "
+            << e.components.size() << (e.components.size() == 1 ? " component\n" : " components\n");
   int genus = 0, loops = 0;
   for (std::size_t i = 0; i < e.components.size(); ++i)
   {
@@ -23,9 +23,9 @@ void print(const std::string& mesh, const Polygon_soup& soup, const Examination&
     genus += c.genus();
     loops += c.boundary_loops;
     if (i >= shown) { continue; }
-    std::cout << "  component " << i << ": V " << c.surface.number_of_vertices() << ", E " << c.surface.number_of_edges() << ", F "
-              << c.surface.number_of_faces() << ", Euler characteristic " << c.euler_characteristic() << ", genus " << c.genus()
-              << ", boundary loops " << c.boundary_loops << '\n';
+    std::cout << "  component " << i << ": V " << c.surface.number_of_vertices() << ", E "
+              << c.surface.number_of_edges() << ", F " << c.surface.number_of_faces() << ", Euler characteristic "
+              << c.euler_characteristic() << ", genus " << c.genus() << ", boundary loops " << c.boundary_loops << '\n';
   }
   if (e.components.size() > shown) { std::cout << "  ... and " << e.components.size() - shown << " more components\n"; }
   if (e.components.size() > 1) { std::cout << "  together: genus " << genus << ", boundary loops " << loops << '\n'; }
@@ -38,15 +38,15 @@ int run_info(const Info_arguments& arguments)
 {
   int status = VERIFIED;
   Json reports = Json::array();
-  for (const std::string& mesh : arguments.meshes)
-    try
+  for (const std::string& mesh : arguments.meshes) try
     {
       const Polygon_soup soup = files::read_mesh(mesh);
       const Examination examination = examine_surface(soup, arguments.repair);
       if (!arguments.quiet) { print(mesh, soup, examination); }
       Json components = Json::array();
       for (const auto& c : examination.components) { components.push_back(report_counts(c)); }
-      reports.push_back({{"meridian", MERIDIAN_VERSION}, {"input", report_input(mesh, soup, examination)}, {"components", components}});
+      reports.push_back(
+        {{"meridian", MERIDIAN_VERSION}, {"input", report_input(mesh, soup, examination)}, {"components", components}});
     }
     catch (const std::exception& e) // the others are still counted
     {

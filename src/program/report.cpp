@@ -26,28 +26,37 @@ Json report_input(const std::string& file, const Polygon_soup& soup, const Exami
     edges += c.surface.number_of_edges();
     faces += c.surface.number_of_faces();
   }
-  return {{"file", file}, {"vertices", soup.points.size()}, {"edges", edges}, {"faces", faces}, {"repairs", examination.repairs}};
+  return {{"file", file},
+          {"vertices", soup.points.size()},
+          {"edges", edges},
+          {"faces", faces},
+          {"repairs", examination.repairs}};
 }
 
 Json report_counts(const Surface_component& c)
 {
-  return {{"vertices", c.surface.number_of_vertices()}, {"edges", c.surface.number_of_edges()}, {"faces", c.surface.number_of_faces()},
-          {"euler_characteristic", c.euler_characteristic()}, {"genus", c.genus()}, {"boundary_loops", c.boundary_loops}};
+  return {{"vertices", c.surface.number_of_vertices()},
+          {"edges", c.surface.number_of_edges()},
+          {"faces", c.surface.number_of_faces()},
+          {"euler_characteristic", c.euler_characteristic()},
+          {"genus", c.genus()},
+          {"boundary_loops", c.boundary_loops}};
 }
 
 Json report_counts(const Component_count& c)
 {
-  return {{"vertices", c.vertices}, {"edges", c.edges}, {"faces", c.faces},
-          {"euler_characteristic", c.euler_characteristic}, {"genus", c.genus}, {"boundary_loops", c.boundary_loops}};
+  return {{"vertices", c.vertices}, {"edges", c.edges},
+          {"faces", c.faces},       {"euler_characteristic", c.euler_characteristic},
+          {"genus", c.genus},       {"boundary_loops", c.boundary_loops}};
 }
 
 namespace {
 
 Json report_field(const Field_summary& f, const Field_options& options)
 {
-  return {{"kind", f.field_kind}, {"weights", name_of(options.weights)}, {"mode", "closed"},
-          {"minima", f.counts.minima}, {"maxima", f.counts.maxima}, {"saddles", f.counts.saddles},
-          {"counted_on", "closed model"}, {"order_sweeps", f.order_rounds}, {"order_numbered", f.order_numbered},
+  return {{"kind", f.field_kind},          {"weights", name_of(options.weights)}, {"mode", "closed"},
+          {"minima", f.counts.minima},     {"maxima", f.counts.maxima},           {"saddles", f.counts.saddles},
+          {"counted_on", "closed model"},  {"order_sweeps", f.order_rounds},      {"order_numbered", f.order_numbered},
           {"flat_regions", f.flat_regions}};
 }
 
@@ -60,14 +69,16 @@ Json report_seconds(const Stage_times& times)
 
 } // namespace
 
-Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count, const Cut_options& options)
+Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count,
+                const Cut_options& options)
 {
   Json r = report_counts(component);
   r["field"] = report_field(cut, options);
   Json meridians = Json::array(), links = Json::array(), paths = Json::array();
   for (std::size_t i = 0; i < cut.meridians.size(); ++i)
   {
-    meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)}, {"saddle", component.vertex_of[cut.saddles[i]]}});
+    meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)},
+                         {"saddle", component.vertex_of[cut.saddles[i]]}});
     if (i < cut.choices.size())
     {
       meridians.back()["genus_after"] = cut.choices[i].genus_after;
@@ -76,11 +87,23 @@ Json report_cut(const Disc_cut& cut, const Surface_component& component, const C
   }
   for (const auto& link : cut.links) { links.push_back({{"length", component.unit * length_of(cut, link, false)}}); }
   for (const auto& path : cut.paths) { paths.push_back({{"length", component.unit * length_of(cut, path, false)}}); }
-  r["cut"] = {{"method", name_of(options.method)}, {"edges", cut.opened.seams.size()}, {"length", component.unit * cut.length}, {"connected", count.discs == 1},
-              {"euler_characteristic", count.disc_euler_characteristic}, {"boundary_loops", count.disc_boundary_loops},
-              {"meridians", meridians}, {"longitudes", cut.longitudes.size()}, {"flow_lines", cut.flow_lines.size()}, {"links", links}, {"paths", paths},
-              {"tightening", name_of(options.tightening)}, {"length_found", component.unit * cut.length_found}, {"on_edges", options.on_edges}, {"link_domain", cut.links_in_plane ? "plane" : "surface"},
-              {"new_vertices", cut.surface.origins.size()}, {"smallest_angle_before", degrees(cut.smallest_angle_before)},
+  r["cut"] = {{"method", name_of(options.method)},
+              {"edges", cut.opened.seams.size()},
+              {"length", component.unit * cut.length},
+              {"connected", count.discs == 1},
+              {"euler_characteristic", count.disc_euler_characteristic},
+              {"boundary_loops", count.disc_boundary_loops},
+              {"meridians", meridians},
+              {"longitudes", cut.longitudes.size()},
+              {"flow_lines", cut.flow_lines.size()},
+              {"links", links},
+              {"paths", paths},
+              {"tightening", name_of(options.tightening)},
+              {"length_found", component.unit * cut.length_found},
+              {"on_edges", options.on_edges},
+              {"link_domain", cut.links_in_plane ? "plane" : "surface"},
+              {"new_vertices", cut.surface.origins.size()},
+              {"smallest_angle_before", degrees(cut.smallest_angle_before)},
               {"smallest_angle_after", degrees(cut.smallest_angle_after)}};
   if (!cut.link_note.empty()) { r["cut"]["link_note"] = cut.link_note; }
   r["seconds"] = report_seconds(cut.seconds);
@@ -104,14 +127,19 @@ Json report_intersections(const Curve_count& count)
   return rows;
 }
 
-Json report_generators(const Generators& g, const Surface_component& component, const Curve_count& count, const Generator_options& options, int first_handle)
+Json report_generators(const Generators& g, const Surface_component& component, const Curve_count& count,
+                       const Generator_options& options, int first_handle)
 {
   Json r = report_counts(component);
   r["field"] = report_field(g, options);
   const auto curve = [&](const Generator_curve& c) {
-    return Json{{"length", component.unit * c.length}, {"length_found", component.unit * c.length_found},
-                {"saddle", c.saddle < 0 ? Json() : Json(component.vertex_of[c.saddle])}, {"method", name_of(c.method)}, {"was_flow", c.was_flow},
-                {"class", name_of(c.loop_class)}, {"edges", c.vertices.size()}};
+    return Json{{"length", component.unit * c.length},
+                {"length_found", component.unit * c.length_found},
+                {"saddle", c.saddle < 0 ? Json() : Json(component.vertex_of[c.saddle])},
+                {"method", name_of(c.method)},
+                {"was_flow", c.was_flow},
+                {"class", name_of(c.loop_class)},
+                {"edges", c.vertices.size()}};
   };
   Json pairs = Json::array();
   for (const Generator_pair& pair : g.pairs)
@@ -121,7 +149,8 @@ Json report_generators(const Generators& g, const Surface_component& component, 
     for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
       for (std::size_t i = 0; i < c->vertices.size(); ++i)
       {
-        const Point &p = g.surface.points[c->vertices[i]], &q = g.surface.points[c->vertices[(i + 1) % c->vertices.size()]];
+        const Point &p = g.surface.points[c->vertices[i]],
+                    &q = g.surface.points[c->vertices[(i + 1) % c->vertices.size()]];
         for (int k = 0; k < 3; ++k)
         {
           low[k] = std::min(low[k], p[k]);
@@ -131,10 +160,15 @@ Json report_generators(const Generators& g, const Surface_component& component, 
         sum = sum + (l / 2) * (p + q);
         weight += l;
       }
-    const auto in_file = [&](const Point& p) { return Json{component.unit * p[0], component.unit * p[1], component.unit * p[2]}; };
-    pairs.push_back({{"handle", first_handle++}, {"meridian", curve(pair.meridian)}, {"longitude", curve(pair.longitude)},
+    const auto in_file = [&](const Point& p) {
+      return Json{component.unit * p[0], component.unit * p[1], component.unit * p[2]};
+    };
+    pairs.push_back({{"handle", first_handle++},
+                     {"meridian", curve(pair.meridian)},
+                     {"longitude", curve(pair.longitude)},
                      {"class", name_of(pair.meridian.loop_class)},
-                     {"bounding_box", {in_file(low), in_file(high)}}, {"centre", in_file(weight > 0 ? (1 / weight) * sum : low)}});
+                     {"bounding_box", {in_file(low), in_file(high)}},
+                     {"centre", in_file(weight > 0 ? (1 / weight) * sum : low)}});
   }
   if (options.is_open && g.boundary_loops > 0)
   {
@@ -162,7 +196,9 @@ Json report_basis(const Homology_basis& b, const Surface_component& component, c
   double length = 0;
   for (const Generator_curve& c : b.loops)
   {
-    loops.push_back({{"length", component.unit * c.length}, {"length_found", component.unit * c.length_found}, {"edges", c.vertices.size()}});
+    loops.push_back({{"length", component.unit * c.length},
+                     {"length_found", component.unit * c.length_found},
+                     {"edges", c.vertices.size()}});
     length += component.unit * c.length;
   }
   r["basis"] = {{"loops", loops}, {"length", length}};
@@ -175,7 +211,10 @@ Json report_basis(const Homology_basis& b, const Surface_component& component, c
   return r;
 }
 
-std::string format_report(const Json& report) { return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string format_report(const Json& report)
+{
+  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 } // namespace program
 } // namespace meridian

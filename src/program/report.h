@@ -4,9 +4,9 @@
 
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/handles/find_shortest_basis.h>
-#include <meridian/surface/examine_surface.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/proof/verify_generators.h>
+#include <meridian/surface/examine_surface.h>
 
 #include <nlohmann/json.hpp>
 
@@ -19,9 +19,11 @@ using Json = nlohmann::ordered_json;
 Json report_input(const std::string& file, const Polygon_soup& soup, const Examination& examination);
 Json report_counts(const Surface_component& component);
 Json report_counts(const Component_count& count);
-Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count, const Cut_options& options);
+Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count,
+                const Cut_options& options);
 // `first_handle`: the number of its first pair.
-Json report_generators(const Generators& generators, const Surface_component& component, const Curve_count& count, const Generator_options& options, int first_handle);
+Json report_generators(const Generators& generators, const Surface_component& component, const Curve_count& count,
+                       const Generator_options& options, int first_handle);
 Json report_basis(const Homology_basis& basis, const Surface_component& component, const Curve_count& count);
 // "symplectic", or the rows.
 Json report_intersections(const Curve_count& count);

@@ -7,10 +7,10 @@
 #include "instances.h"
 #include "page/format_unwrap_page.h"
 
-#include <meridian/unwrap/geometry_image.h>
-#include <meridian/unwrap/measure_round_trip.h>
 #include <meridian/map/pack_charts.h>
 #include <meridian/proof/verify_unwrapping.h>
+#include <meridian/unwrap/geometry_image.h>
+#include <meridian/unwrap/measure_round_trip.h>
 
 #include <chrono>
 #include <filesystem>
@@ -31,21 +31,32 @@ std::string beside(const Unwrap_arguments& a, const char* ending)
 
 void check_unwrap_arguments(const Unwrap_arguments& a)
 {
-  if (files::format_of(a.out) != "obj") { throw files::File_error(a.out + ": texture coordinates are written to OBJ files; end the name with .obj or .obj.gz"); }
+  if (files::format_of(a.out) != "obj")
+  {
+    throw files::File_error(a.out
+                            + ": texture coordinates are written to OBJ files; end the name with .obj or .obj.gz");
+  }
   check_cut_arguments(a);
-  const auto forbid = [](bool is_wrong, const char* message) { if (is_wrong) { throw Usage_error(message); } };
+  const auto forbid = [](bool is_wrong, const char* message) {
+    if (is_wrong) { throw Usage_error(message); }
+  };
   const bool is_free = a.parameterization == "lscm" || a.parameterization == "arap";
   forbid(is_free && a.border != "free", "this --parameterization has a free border; leave out --border");
-  forbid(!is_free && a.parameterization != "symmetric-dirichlet" && a.has_border && a.border == "free", "this --parameterization needs a border; --border circle or square");
+  forbid(!is_free && a.parameterization != "symmetric-dirichlet" && a.has_border && a.border == "free",
+         "this --parameterization needs a border; --border circle or square");
   forbid(!a.texture.empty() && files::format_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
   const std::string format = files::format_of(a.distortion);
-  forbid(!a.distortion.empty() && format != "ply" && format != "vtp", "--distortion writes PLY or VTP, which can hold values of faces");
-  std::vector<std::string> written{a.out, files::map_path(a.out), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
+  forbid(!a.distortion.empty() && format != "ply" && format != "vtp",
+         "--distortion writes PLY or VTP, which can hold values of faces");
+  std::vector<std::string> written{a.out,       files::map_path(a.out), a.report, a.view, a.curves, a.layout, a.texture,
+                                   a.distortion};
   if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
   if (a.geometry_image > 0)
   {
     forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
-    forbid((a.has_border && a.border != "square") || (a.parameterization != "symmetric-dirichlet" && a.parameterization != "stretch" && a.parameterization != "positive"),
+    forbid((a.has_border && a.border != "square")
+             || (a.parameterization != "symmetric-dirichlet" && a.parameterization != "stretch"
+                 && a.parameterization != "positive"),
            "--geometry-image maps into a square with --parameterization symmetric-dirichlet, stretch or positive");
     for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
   }
@@ -56,8 +67,13 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
 {
   Unwrap_options o;
   o.cut = cut;
-  for (Map_method method : map_methods) { if (a.parameterization == name_of(method)) { o.map.method = method; } }
-  o.map.border = a.border == "square" ? Map_border::SQUARE : a.border == "circle" ? Map_border::CIRCLE : Map_border::FREE;
+  for (Map_method method : map_methods)
+  {
+    if (a.parameterization == name_of(method)) { o.map.method = method; }
+  }
+  o.map.border = a.border == "square"   ? Map_border::SQUARE
+                 : a.border == "circle" ? Map_border::CIRCLE
+                                        : Map_border::FREE;
   o.family = std::max(a.family, 1);
   o.stretch_weight = a.stretch_weight;
   o.max_stretch = a.max_stretch;
@@ -66,14 +82,16 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
 }
 
 // Packs the maps, and measures them as they then are. Returns texture coordinates for the vertices of a result.
-std::vector<Plane_point> pack(const Loaded_mesh& loaded, std::vector<Unwrapping>& unwrapped, const Assembled_result& assembled)
+std::vector<Plane_point> pack(const Loaded_mesh& loaded, std::vector<Unwrapping>& unwrapped,
+                              const Assembled_result& assembled)
 {
   double largest = 0;
   for (const Surface_component& c : loaded.examination.components) { largest = std::max(largest, c.unit); }
   std::vector<Chart> charts;
   for (std::size_t i = 0; i < unwrapped.size(); ++i)
   {
-    const double unit = loaded.examination.components[i].unit / largest; // squares of units may leave the range of double
+    // squares of units may leave the range of double
+    const double unit = loaded.examination.components[i].unit / largest;
     charts.push_back({&unwrapped[i].disc.triangles, unwrapped[i].map.at, unit * unit * area(unwrapped[i].disc)});
   }
   if (unwrapped.front().border.size == 0) { pack_charts(charts); } // the square of a geometry image stays as it is
@@ -109,17 +127,32 @@ Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
   Json attempts = Json::array();
   for (const Map_attempt& a : u.map.attempts)
   {
-    attempts.push_back({{"method", name_of(a.method)}, {"border", name_of(a.border)}, {"flipped", a.flipped < 0 ? Json() : Json(a.flipped)}});
+    attempts.push_back({{"method", name_of(a.method)},
+                        {"border", name_of(a.border)},
+                        {"flipped", a.flipped < 0 ? Json() : Json(a.flipped)}});
     if (!a.reason.empty()) { attempts.back()["reason"] = a.reason; }
   }
-  return {{"method", name_of(u.map.method)}, {"border", name_of(u.map.border)}, {"asked", name_of(options.map.method)}, {"attempts", attempts}, {"flipped", u.map.flipped.size()},
-          {"one_to_one", u.map.is_one_to_one}, {"stretch_l2", d.stretch_l2}, {"stretch_linf", d.stretch_linf}, {"angle", d.angle * 180 / std::acos(-1.)}, {"area", d.area},
-          {"conformal", d.conformal}, {"areal", d.areal}, {"family", report_steps(u.members, unit)}, {"links", report_steps(u.variations, unit)},
+  return {{"method", name_of(u.map.method)},
+          {"border", name_of(u.map.border)},
+          {"asked", name_of(options.map.method)},
+          {"attempts", attempts},
+          {"flipped", u.map.flipped.size()},
+          {"one_to_one", u.map.is_one_to_one},
+          {"stretch_l2", d.stretch_l2},
+          {"stretch_linf", d.stretch_linf},
+          {"angle", d.angle * 180 / std::acos(-1.)},
+          {"area", d.area},
+          {"conformal", d.conformal},
+          {"areal", d.areal},
+          {"family", report_steps(u.members, unit)},
+          {"links", report_steps(u.variations, unit)},
           {"extensions", report_steps(u.extensions, unit)}};
 }
 
 // The distortion of each face of a result, with numbers in place of infinity.
-std::vector<Face_distortion> distortion_of_faces(const Assembled_result& assembled, const std::vector<Plane_point>& texture, const std::vector<Unwrapping>& unwrapped)
+std::vector<Face_distortion> distortion_of_faces(const Assembled_result& assembled,
+                                                 const std::vector<Plane_point>& texture,
+                                                 const std::vector<Unwrapping>& unwrapped)
 {
   const Result_mesh& mesh = assembled.mesh;
   std::vector<Point> points = mesh.points; // those of each component at its own scale
@@ -137,37 +170,57 @@ std::vector<Face_distortion> distortion_of_faces(const Assembled_result& assembl
   for (Index component : mesh.component_of)
   {
     faces.push_back(measured[component][next[component]++]);
-    for (double* value : {&faces.back().stretch_l2, &faces.back().stretch_linf, &faces.back().conformal, &faces.back().areal}) { *value = std::min(*value, 1e300); }
+    for (double* value :
+         {&faces.back().stretch_l2, &faces.back().stretch_linf, &faces.back().conformal, &faces.back().areal})
+    {
+      *value = std::min(*value, 1e300);
+    }
   }
   return faces;
 }
 
 // A geometry image and the surface that it makes, and how near that is.
-Json add_geometry_image(files::Output_files& out, const Unwrap_arguments& a, const Surface_component& component, const Unwrapping& u)
+Json add_geometry_image(files::Output_files& out, const Unwrap_arguments& a, const Surface_component& component,
+                        const Unwrapping& u)
 {
   const Geometry_image image = sample_geometry(u.disc, u.map.at, u.border);
   const Remeshed remeshed = remesh_from_image(image, &u.border);
   const Round_trip trip = measure_round_trip(component.surface, remeshed.surface);
   std::vector<std::uint16_t> rows; // from the top
-  for (int row = image.size; row-- > 0;) { rows.insert(rows.end(), image.samples.begin() + 3 * image.pixel(0, row), image.samples.begin() + 3 * image.pixel(0, row) + 3 * image.size); }
+  for (int row = image.size; row-- > 0;)
+  {
+    rows.insert(rows.end(), image.samples.begin() + 3 * image.pixel(0, row),
+                image.samples.begin() + 3 * image.pixel(0, row) + 3 * image.size);
+  }
   out.add(beside(a, ".geometry.png"), files::format_png(image.size, image.size, 3, rows, 16));
   Result_mesh mesh;
   for (const Point& p : remeshed.surface.points) { mesh.points.push_back(component.unit * p); }
   mesh.faces = remeshed.surface.triangles;
   out.add(beside(a, ".remesh.obj"), files::format_mesh(beside(a, ".remesh.obj"), mesh));
   const int loops = static_cast<int>(boundary_loops(remeshed.surface).size());
-  const int characteristic = remeshed.surface.number_of_vertices() - remeshed.surface.number_of_edges() + remeshed.surface.number_of_faces();
+  const int characteristic =
+    remeshed.surface.number_of_vertices() - remeshed.surface.number_of_edges() + remeshed.surface.number_of_faces();
   const double unit = component.unit;
-  return {{"size", image.size}, {"low", {unit * image.low[0], unit * image.low[1], unit * image.low[2]}}, {"step", unit * image.step},
-          {"faces_left_out", remeshed.faces_left_out}, {"genus", (2 - characteristic - loops) / 2}, {"boundary_loops", loops},
-          {"hausdorff", unit * trip.hausdorff}, {"rms", unit * trip.rms}, {"psnr", trip.psnr}};
+  return {{"size", image.size},
+          {"low", {unit * image.low[0], unit * image.low[1], unit * image.low[2]}},
+          {"step", unit * image.step},
+          {"faces_left_out", remeshed.faces_left_out},
+          {"genus", (2 - characteristic - loops) / 2},
+          {"boundary_loops", loops},
+          {"hausdorff", unit * trip.hausdorff},
+          {"rms", unit * trip.rms},
+          {"psnr", trip.psnr}};
 }
 
 // The mesh as it is on the surface, not taken apart.
 Result_mesh closed_mesh(Result_mesh mesh)
 {
-  for (auto& face : mesh.faces) { for (Index& v : face) { v = mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]; } }
-  mesh.points.resize(std::find_if(mesh.copy_of.begin(), mesh.copy_of.end(), [](Index c) { return c >= 0; }) - mesh.copy_of.begin());
+  for (auto& face : mesh.faces)
+  {
+    for (Index& v : face) { v = mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]; }
+  }
+  mesh.points.resize(std::find_if(mesh.copy_of.begin(), mesh.copy_of.end(), [](Index c) { return c >= 0; })
+                     - mesh.copy_of.begin());
   return mesh;
 }
 
@@ -180,7 +233,8 @@ int run_unwrap(const Unwrap_arguments& arguments)
   const Loaded_mesh loaded = load_mesh(arguments);
   const auto& components = loaded.examination.components;
   if (arguments.geometry_image > 0 && components.size() > 1)
-    throw Invalid_input_error("a geometry image holds one component; the mesh has " + std::to_string(components.size()));
+    throw Invalid_input_error("a geometry image holds one component; the mesh has "
+                              + std::to_string(components.size()));
   const std::vector<Cut_options> cuts = cut_options(arguments, loaded, terminal);
   std::vector<Unwrapping> unwrapped;
   std::vector<Unwrap_options> options;
@@ -205,17 +259,27 @@ int run_unwrap(const Unwrap_arguments& arguments)
     result.components[i]["parameterization"] = report_map(unwrapped[i], options[i], components[i].unit);
     worst = std::max(worst, unwrapped[i].map.distortion.stretch_l2);
   }
-  Json report{{"meridian", MERIDIAN_VERSION}, {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)}, {"components", result.components},
-                    {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
-                    {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"assemble", result.seconds_assembling}, {"verify", result.seconds_verifying}}},
-                    {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
+  Json report{{"meridian", MERIDIAN_VERSION},
+              {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)},
+              {"components", result.components},
+              {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
+              {"seconds",
+               {{"read", loaded.seconds_reading},
+                {"examine", loaded.seconds_examining},
+                {"assemble", result.seconds_assembling},
+                {"verify", result.seconds_verifying}}},
+              {"failures", verification.failures},
+              {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;
-  if (verification && arguments.geometry_image > 0) { report["geometry_image"] = add_geometry_image(out, arguments, components.front(), unwrapped.front()); }
+  if (verification && arguments.geometry_image > 0)
+  {
+    report["geometry_image"] = add_geometry_image(out, arguments, components.front(), unwrapped.front());
+  }
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   std::ostringstream caption;
-  caption << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus << ", " << result.loops << " boundary loops; cut length "
-          << result.length << ", L2 stretch " << worst;
+  caption << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus
+          << ", " << result.loops << " boundary loops; cut length " << result.length << ", L2 stretch " << worst;
   if (verification)
   {
     namespace fs = std::filesystem;
@@ -229,12 +293,14 @@ int run_unwrap(const Unwrap_arguments& arguments)
     if (!arguments.texture.empty())
     {
       out.add(arguments.texture, files::format_checkerboard(1024, 32));
-      const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(), image = fs::weakly_canonical(fs::absolute(arguments.texture));
+      const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(),
+                     image = fs::weakly_canonical(fs::absolute(arguments.texture));
       out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
     }
     if (!arguments.distortion.empty())
     {
-      std::vector<files::Face_values> values{{"stretch_l2", {}}, {"stretch_linf", {}}, {"conformal", {}}, {"areal", {}}};
+      std::vector<files::Face_values> values{
+        {"stretch_l2", {}}, {"stretch_linf", {}}, {"conformal", {}}, {"areal", {}}};
       for (const Face_distortion& f : faces)
       {
         const std::array<double, 4> all{f.stretch_l2, f.stretch_linf, f.conformal, f.areal};
@@ -242,14 +308,23 @@ int run_unwrap(const Unwrap_arguments& arguments)
       }
       out.add(arguments.distortion, files::format_mesh(arguments.distortion, closed_mesh(mesh), values));
     }
-    if (!arguments.curves.empty()) { out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled))); }
-    if (!arguments.view.empty()) { out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption.str(), mesh, texture, stretch)); }
+    if (!arguments.curves.empty())
+    {
+      out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled)));
+    }
+    if (!arguments.view.empty())
+    {
+      out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption.str(), mesh, texture, stretch));
+    }
   }
   if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
   out.commit();
   terminal.clear();
 
-  for (const std::string& failure : verification.failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }
+  for (const std::string& failure : verification.failures)
+  {
+    std::cerr << "meridian: not verified: " << failure << '\n';
+  }
   if (!arguments.quiet)
   {
     for (const std::string& repair : loaded.examination.repairs) { std::cout << "note: " << repair << '\n'; }
@@ -258,19 +333,29 @@ int run_unwrap(const Unwrap_arguments& arguments)
       const Unwrapping& u = unwrapped[i];
       const Map_attempt& asked = u.map.attempts.front();
       if (u.map.attempts.size() > 1)
-        std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << " (border " << name_of(u.map.border) << "), because " << name_of(asked.method) << " (border "
-                  << name_of(asked.border) << ") " << (asked.flipped < 0 ? "gave no map: " + asked.reason : "left " + std::to_string(asked.flipped) + " flipped faces") << '\n';
-      if (!u.extensions.empty() && arguments.max_stretch == 0) { std::cout << "note: component " << i << ": the cut was extended, because its map was of no use\n"; }
+        std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << " (border "
+                  << name_of(u.map.border) << "), because " << name_of(asked.method) << " (border "
+                  << name_of(asked.border) << ") "
+                  << (asked.flipped < 0 ? "gave no map: " + asked.reason
+                                        : "left " + std::to_string(asked.flipped) + " flipped faces")
+                  << '\n';
+      if (!u.extensions.empty() && arguments.max_stretch == 0)
+      {
+        std::cout << "note: component " << i << ": the cut was extended, because its map was of no use\n";
+      }
       if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
-        std::cout << "note: component " << i << ": the stretch is " << u.map.distortion.stretch_l2 << "; no further extension of the cut lowered it\n";
+        std::cout << "note: component " << i << ": the stretch is " << u.map.distortion.stretch_l2
+                  << "; no further extension of the cut lowered it\n";
     }
     if (report.contains("geometry_image"))
     {
       const Json& image = report["geometry_image"];
-      std::cout << "geometry image: the surface made of it has genus " << image["genus"] << " and " << image["boundary_loops"] << " boundary loops; Hausdorff distance "
-                << image["hausdorff"].get<double>() << ", PSNR " << image["psnr"].get<double>() << " dB\n";
+      std::cout << "geometry image: the surface made of it has genus " << image["genus"] << " and "
+                << image["boundary_loops"] << " boundary loops; Hausdorff distance " << image["hausdorff"].get<double>()
+                << ", PSNR " << image["psnr"].get<double>() << " dB\n";
     }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << caption.str() << (verification ? "; no face is turned over" : "") << '\n';
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << caption.str()
+              << (verification ? "; no face is turned over" : "") << '\n';
   }
   return verification ? VERIFIED : NOT_VERIFIED;
 }

@@ -22,12 +22,20 @@ Verification verify_texture(const Polygon_soup& input, const files::Result_files
   for (std::size_t i = 0; i < result.vertex_of.size() && i < result.mesh.copy_of.size(); ++i)
   {
     const std::int32_t copied = result.mesh.copy_of[i];
-    if (result.vertex_of[i] != (copied < 0 ? static_cast<std::int32_t>(i) : copied)) { misplaced.push_back(static_cast<std::int32_t>(i)); }
+    if (result.vertex_of[i] != (copied < 0 ? static_cast<std::int32_t>(i) : copied))
+    {
+      misplaced.push_back(static_cast<std::int32_t>(i));
+    }
   }
-  const auto expected = std::count_if(result.mesh.copy_of.begin(), result.mesh.copy_of.end(), [](std::int32_t copied) { return copied < 0; });
+  const auto expected = std::count_if(result.mesh.copy_of.begin(), result.mesh.copy_of.end(),
+                                      [](std::int32_t copied) { return copied < 0; });
   if (result.vertices != expected)
-    v.failures.push_back("the file has " + std::to_string(result.vertices) + " vertices, but the map has " + std::to_string(expected) + " that are no copies");
-  if (!misplaced.empty()) { v.failures.push_back(internal::list_elements("texture coordinates belong to the wrong vertex", misplaced)); }
+    v.failures.push_back("the file has " + std::to_string(result.vertices) + " vertices, but the map has "
+                         + std::to_string(expected) + " that are no copies");
+  if (!misplaced.empty())
+  {
+    v.failures.push_back(internal::list_elements("texture coordinates belong to the wrong vertex", misplaced));
+  }
   return v;
 }
 
@@ -53,7 +61,9 @@ int run_verify(const Verify_arguments& arguments)
     const Component_count& c = v.components[i];
     Json r = report_counts(c);
     if (kind != files::Result_kind::GENERATORS)
-      r["cut"] = {{"connected", c.discs == 1}, {"euler_characteristic", c.disc_euler_characteristic}, {"boundary_loops", c.disc_boundary_loops}};
+      r["cut"] = {{"connected", c.discs == 1},
+                  {"euler_characteristic", c.disc_euler_characteristic},
+                  {"boundary_loops", c.disc_boundary_loops}};
     else if (i < v.curves.size())
     {
       r["intersection_matrix"] = report_intersections(v.curves[i]);
@@ -67,19 +77,27 @@ int run_verify(const Verify_arguments& arguments)
   if (!arguments.report.empty())
   {
     files::Output_files out;
-    out.add(arguments.report, format_report({{"meridian", MERIDIAN_VERSION}, {"input", {{"file", arguments.mesh}, {"vertices", input.points.size()}}},
-                                             {"components", components}, {"failures", v.failures}, {"verified", static_cast<bool>(v)}}));
+    out.add(arguments.report, format_report({{"meridian", MERIDIAN_VERSION},
+                                             {"input", {{"file", arguments.mesh}, {"vertices", input.points.size()}}},
+                                             {"components", components},
+                                             {"failures", v.failures},
+                                             {"verified", static_cast<bool>(v)}}));
     out.commit();
   }
   for (const std::string& failure : v.failures) { std::cerr << "meridian: " << failure << '\n'; }
   if (!arguments.quiet)
   {
-    std::cout << (v ? "verified: " : "NOT verified: ") << v.components.size() << (v.components.size() == 1 ? " component" : " components") << " (genus "
-              << genus << ", boundary loops " << loops << ")";
+    std::cout << (v ? "verified: " : "NOT verified: ") << v.components.size()
+              << (v.components.size() == 1 ? " component" : " components") << " (genus " << genus << ", boundary loops "
+              << loops << ")";
     if (kind != files::Result_kind::GENERATORS)
     {
       std::cout << " became " << discs << (discs == 1 ? " piece" : " pieces");
-      if (v) { std::cout << ", each a disc; glued along " << result.mesh.seams.size() << " seam edges they are the input again"; }
+      if (v)
+      {
+        std::cout << ", each a disc; glued along " << result.mesh.seams.size()
+                  << " seam edges they are the input again";
+      }
       if (v && kind == files::Result_kind::UNWRAPPING) { std::cout << "; no face is turned over in the plane"; }
     }
     else if (v) { std::cout << ", with a basis of first homology on each"; }

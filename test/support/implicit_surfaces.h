@@ -15,11 +15,14 @@ inline double blend(double a, double b, double width) // a smooth minimum
 }
 
 inline double ring(const Point& p, double big, double small) // a torus about the z axis
-{ return std::hypot(std::hypot(p[0], p[1]) - big, p[2]) - small; }
+{
+  return std::hypot(std::hypot(p[0], p[1]) - big, p[2]) - small;
+}
 
-// The surface on a grid of cells x cells x cells over the cube of half-width `half`, by tetrahedra (Bloomenthal 1994). `warp` moves the
-// points of the grid, for irregular sampling.
-inline Triangle_surface isosurface(const Distance& f, double half, int cells, const std::function<Point(Point)>& warp = {})
+// The surface on a grid of cells x cells x cells over the cube of half-width `half`, by tetrahedra (Bloomenthal 1994).
+// `warp` moves the points of the grid, for irregular sampling.
+inline Triangle_surface isosurface(const Distance& f, double half, int cells,
+                                   const std::function<Point(Point)>& warp = {})
 {
   Triangle_surface s;
   const int n = cells + 1;
@@ -52,7 +55,8 @@ inline Triangle_surface isosurface(const Distance& f, double half, int cells, co
     std::vector<int> in, out;
     for (int v : t) { (value[v] < 0 ? in : out).push_back(v); }
     const auto add = [&](Index a, Index b, Index c, int inner, int outer) {
-      const Point n3 = meridian::cross(meridian::operator-(s.points[b], s.points[a]), meridian::operator-(s.points[c], s.points[a]));
+      const Point n3 =
+        meridian::cross(meridian::operator-(s.points[b], s.points[a]), meridian::operator-(s.points[c], s.points[a]));
       if (meridian::dot(n3, meridian::operator-(at[outer], at[inner])) < 0) { std::swap(b, c); }
       s.triangles.push_back({a, b, c});
     };
@@ -60,7 +64,8 @@ inline Triangle_surface isosurface(const Distance& f, double half, int cells, co
     if (in.size() == 3) { add(cross(in[0], out[0]), cross(in[1], out[0]), cross(in[2], out[0]), in[0], out[0]); }
     if (in.size() == 2)
     {
-      const Index a = cross(in[0], out[0]), b = cross(in[0], out[1]), c = cross(in[1], out[1]), d = cross(in[1], out[0]);
+      const Index a = cross(in[0], out[0]), b = cross(in[0], out[1]), c = cross(in[1], out[1]),
+                  d = cross(in[1], out[0]);
       add(a, b, c, in[0], out[0]);
       add(a, c, d, in[0], out[0]);
     }
@@ -68,7 +73,8 @@ inline Triangle_surface isosurface(const Distance& f, double half, int cells, co
   for (int i = 0; i < cells; ++i)
     for (int j = 0; j < cells; ++j)
       for (int k = 0; k < cells; ++k)
-        for (const std::array<int, 3>& order : {std::array<int, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
+        for (const std::array<int, 3>& order :
+             {std::array<int, 3>{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}})
         {
           std::array<int, 3> c{i, j, k};
           std::array<int, 4> t{id(i, j, k), 0, 0, 0};
@@ -82,7 +88,10 @@ inline Triangle_surface isosurface(const Distance& f, double half, int cells, co
   return connected(std::move(s));
 }
 
-inline double bitorus_distance(const Point& p) { return blend(ring({p[0] - 1.05, p[1], p[2]}, 0.8, 0.3), ring({p[0] + 1.05, p[1], p[2]}, 0.8, 0.3), 0.3); }
+inline double bitorus_distance(const Point& p)
+{
+  return blend(ring({p[0] - 1.05, p[1], p[2]}, 0.8, 0.3), ring({p[0] + 1.05, p[1], p[2]}, 0.8, 0.3), 0.3);
+}
 
 inline Triangle_surface bitorus(int cells) { return isosurface(bitorus_distance, 2.4, cells); }
 
@@ -96,24 +105,32 @@ inline Point uneven(Point p)
 
 inline Triangle_surface bitorus_with_tiny_handle(int cells, bool is_irregular = false)
 {
-  const auto f = [](const Point& p) { return blend(bitorus_distance(p), ring({p[2] - 0.32, p[0] - 1.85, p[1]}, 0.14, 0.055), 0.04); };
+  const auto f = [](const Point& p) {
+    return blend(bitorus_distance(p), ring({p[2] - 0.32, p[0] - 1.85, p[1]}, 0.14, 0.055), 0.04);
+  };
   return is_irregular ? isosurface(f, 2.4, cells, uneven) : isosurface(f, 2.4, cells);
 }
 
-inline Triangle_surface irregular_torus(int cells) { return isosurface([](const Point& p) { return ring(p, 1.5, 0.55); }, 2.4, cells, uneven); }
+inline Triangle_surface irregular_torus(int cells)
+{
+  return isosurface([](const Point& p) { return ring(p, 1.5, 0.55); }, 2.4, cells, uneven);
+}
 
-// Rings around the z axis, each joined to the next: three of them have genus 3 at a distance of 1.15, four of 1.4 genus 5.
+// Rings around the z axis, each joined to the next: three of them have genus 3 at a distance of 1.15, four of 1.4 genus
+// 5.
 inline Triangle_surface rings(int count, double away, int cells)
 {
-  return isosurface([=](const Point& p) {
-    double d = 1e9;
-    for (int i = 0; i < count; ++i)
-    {
-      const double a = 2 * pi * i / count;
-      d = blend(d, ring({p[0] - away * std::cos(a), p[1] - away * std::sin(a), p[2]}, 0.8, 0.28), 0.3);
-    }
-    return d;
-  }, away + 1.45, cells);
+  return isosurface(
+    [=](const Point& p) {
+      double d = 1e9;
+      for (int i = 0; i < count; ++i)
+      {
+        const double a = 2 * pi * i / count;
+        d = blend(d, ring({p[0] - away * std::cos(a), p[1] - away * std::sin(a), p[2]}, 0.8, 0.28), 0.3);
+      }
+      return d;
+    },
+    away + 1.45, cells);
 }
 
 inline Triangle_surface three_rings(int cells) { return rings(3, 1.15, cells); }
@@ -121,13 +138,15 @@ inline Triangle_surface three_rings(int cells) { return rings(3, 1.15, cells); }
 // A body with a handle, open at the top and at the spout: genus 1, two boundary loops.
 inline Triangle_surface teapot(int cells, bool is_open = true)
 {
-  const Triangle_surface s = isosurface([](const Point& p) {
-    const double body = std::sqrt(p[0] * p[0] + p[1] * p[1] + 1.3 * p[2] * p[2]) - 1.1;
-    const double handle = ring({p[0] + 1.15, p[2], p[1]}, 0.55, 0.16);
-    const double along = std::min(std::max((p[0] - 0.8) / 1.1, 0.), 1.);
-    const double spout = std::hypot(p[0] - 0.8 - 1.1 * along, p[1], p[2] - 0.7 * along + 0.2) - 0.28 + 0.1 * along;
-    return blend(blend(body, handle, 0.15), spout, 0.2);
-  }, 2.3, cells);
+  const Triangle_surface s = isosurface(
+    [](const Point& p) {
+      const double body = std::sqrt(p[0] * p[0] + p[1] * p[1] + 1.3 * p[2] * p[2]) - 1.1;
+      const double handle = ring({p[0] + 1.15, p[2], p[1]}, 0.55, 0.16);
+      const double along = std::min(std::max((p[0] - 0.8) / 1.1, 0.), 1.);
+      const double spout = std::hypot(p[0] - 0.8 - 1.1 * along, p[1], p[2] - 0.7 * along + 0.2) - 0.28 + 0.1 * along;
+      return blend(blend(body, handle, 0.15), spout, 0.2);
+    },
+    2.3, cells);
   if (!is_open) { return s; }
   return without(s, [&](Index f) {
     const Point& p = s.points[s.triangles[f][0]];

@@ -8,16 +8,23 @@ namespace pipeline {
 
 Disc_cut cut(const Triangle_surface& s, const Cut_options& options) { return cut_to_disc(s, options); }
 
-Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed, Weights weights)
+Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed,
+                      Weights weights)
 {
   const auto w = edge_weights(s, weights);
   return weights == Weights::MEAN_VALUE ? solve_harmonic_field<General_solver_traits>(s, g, w, prescribed)
                                         : solve_harmonic_field<Symmetric_solver_traits>(s, g, w, prescribed);
 }
 
-Generators generators(const Triangle_surface& s, const Generator_options& options) { return find_generators(s, options); }
+Generators generators(const Triangle_surface& s, const Generator_options& options)
+{
+  return find_generators(s, options);
+}
 
-Homology_basis basis(const Triangle_surface& s, const Basis_options& options) { return find_shortest_basis(s, options); }
+Homology_basis basis(const Triangle_surface& s, const Basis_options& options)
+{
+  return find_shortest_basis(s, options);
+}
 
 Generators classified(const Triangle_surface& s, const Generator_options& options)
 {
@@ -35,7 +42,11 @@ Ordered_surface order(const Triangle_surface& root, const std::vector<double>& f
   for (Index a = 0; a < m.graph.number_of_nodes; ++a)
   {
     const Index v = m.graph.representative[a];
-    if (v < root.number_of_vertices()) { m.field.value[a] = field[v]; continue; }
+    if (v < root.number_of_vertices())
+    {
+      m.field.value[a] = field[v];
+      continue;
+    }
     const Origin o = m.surface.origin(v);
     m.field.value[a] = (field[o.index[0]] + field[o.index[1]]) / 2;
   }
@@ -47,7 +58,10 @@ Ordered_surface order(const Triangle_surface& root, const std::vector<double>& f
   return m;
 }
 
-Parameterization map(const Triangle_surface& disc, const Map_options& options) { return parameterize_disc(disc, options); }
+Parameterization map(const Triangle_surface& disc, const Map_options& options)
+{
+  return parameterize_disc(disc, options);
+}
 
 Unwrapping unwrap(const Triangle_surface& s, const Unwrap_options& options) { return unwrap_surface(s, options); }
 

@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_TEST_PIPELINE_H
 #define MERIDIAN_TEST_PIPELINE_H
 
+#include <meridian/proof/verify_cut.h>
 #include <meridian/result/assemble_result.h>
 #include <meridian/unwrap/unwrap_surface.h>
-#include <meridian/proof/verify_cut.h>
 
 namespace pipeline {
 
@@ -14,8 +14,8 @@ Disc_cut cut(const Triangle_surface& s, const Cut_options& options = Cut_options
 Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed,
                       Weights weights = Weights::POSITIVE);
 
-// A surface ordered by any field on its vertices (on a boundary loop, that of its first vertex), with one minimum and one
-// maximum if `simplify` is set.
+// A surface ordered by any field on its vertices (on a boundary loop, that of its first vertex), with one minimum and
+// one maximum if `simplify` is set.
 Ordered_surface order(const Triangle_surface& s, const std::vector<double>& field, bool simplify);
 
 Generators generators(const Triangle_surface& s, const Generator_options& options = Generator_options());
@@ -27,7 +27,13 @@ Parameterization map(const Triangle_surface& disc, const Map_options& options = 
 Unwrapping unwrap(const Triangle_surface& s, const Unwrap_options& options = Unwrap_options());
 
 // A whole run, as the program does it.
-struct Run { Examination examination; std::vector<Disc_cut> cuts; Assembled_result assembled; Verification verification; };
+struct Run
+{
+  Examination examination;
+  std::vector<Disc_cut> cuts;
+  Assembled_result assembled;
+  Verification verification;
+};
 Run run(const Polygon_soup& soup, bool repair = false, const Cut_options& options = Cut_options());
 
 } // namespace pipeline

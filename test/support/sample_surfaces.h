@@ -32,7 +32,10 @@ inline Triangle_surface skin(std::array<int, 3> size, const std::function<bool(i
   Triangle_surface s;
   std::map<std::array<int, 3>, Index> index;
   const auto filled = [&](const std::array<int, 3>& c) {
-    for (int a = 0; a < 3; ++a) { if (c[a] < 0 || c[a] >= size[a]) { return false; } }
+    for (int a = 0; a < 3; ++a)
+    {
+      if (c[a] < 0 || c[a] >= size[a]) { return false; }
+    }
     return is_filled(c[0], c[1], c[2]);
   };
   const auto corner = [&](const std::array<int, 3>& c) {
@@ -73,7 +76,8 @@ inline Triangle_surface skin(std::array<int, 3> size, const std::function<bool(i
 // A closed surface of the given genus: a plate with one hole a handle.
 inline Triangle_surface plate(int genus, int k = 2)
 {
-  return skin({2 * genus + 1, 3, 1}, [](int i, int j, int) { return i % 2 == 0 || j != 1; }, k);
+  return skin(
+    {2 * genus + 1, 3, 1}, [](int i, int j, int) { return i % 2 == 0 || j != 1; }, k);
 }
 
 // A torus of n x m quadrilaterals about the z axis.
@@ -114,7 +118,10 @@ inline Triangle_surface sphere(int levels)
     for (const auto& t : s.triangles)
     {
       const Index a = mid(t[0], t[1]), b = mid(t[1], t[2]), c = mid(t[2], t[0]);
-      for (const std::array<Index, 3>& u : {std::array<Index, 3>{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}}) { next.push_back(u); }
+      for (const std::array<Index, 3>& u : {std::array<Index, 3>{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}})
+      {
+        next.push_back(u);
+      }
     }
     s.triangles = next;
   }
@@ -129,7 +136,11 @@ inline Triangle_surface subdivided(const Triangle_surface& from)
   std::vector<Index> middle(from.number_of_halfedges());
   for (Index h = 0; h < from.number_of_halfedges(); ++h)
   {
-    if (from.edge(h) != h) { middle[h] = middle[from.edge(h)]; continue; }
+    if (from.edge(h) != h)
+    {
+      middle[h] = middle[from.edge(h)];
+      continue;
+    }
     middle[h] = s.number_of_vertices();
     s.points.push_back(from.point_on(h, 0.5));
   }
@@ -137,7 +148,10 @@ inline Triangle_surface subdivided(const Triangle_surface& from)
   {
     const auto& t = from.triangles[f];
     const Index a = middle[3 * f], b = middle[3 * f + 1], c = middle[3 * f + 2];
-    for (const std::array<Index, 3>& u : {std::array<Index, 3>{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}}) { s.triangles.push_back(u); }
+    for (const std::array<Index, 3>& u : {std::array<Index, 3>{t[0], a, c}, {t[1], b, a}, {t[2], c, b}, {a, b, c}})
+    {
+      s.triangles.push_back(u);
+    }
   }
   return connected(std::move(s));
 }
@@ -169,7 +183,10 @@ inline Triangle_surface without(const Triangle_surface& from, const std::functio
 inline Triangle_surface punctured(const Triangle_surface& from, const std::vector<Index>& vertices)
 {
   std::vector<char> removed(from.number_of_faces(), 0);
-  for (Index v : vertices) { from.for_each_outgoing(v, [&](Index h) { removed[from.face(h)] = 1; }); }
+  for (Index v : vertices)
+  {
+    from.for_each_outgoing(v, [&](Index h) { removed[from.face(h)] = 1; });
+  }
   return without(from, [&](Index f) { return removed[f] != 0; });
 }
 
@@ -272,7 +289,11 @@ inline Triangle_surface dumbbell(double tube_length, int n = 48)
       const Index v = open.source(h) + other;
       const double a = std::atan2(s.points[v][2], s.points[v][1]);
       const double d = std::abs(std::remainder(a - angle[i], 2 * pi));
-      if (d < best) { best = d; end[i] = v; }
+      if (d < best)
+      {
+        best = d;
+        end[i] = v;
+      }
     }
   }
   band(last, end);
@@ -308,7 +329,9 @@ template <class Curve> Triangle_surface tube(int n, int m, double radius, const 
 
 // The curve of a trefoil knot.
 inline Point trefoil(double t)
-{ return {std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)}; }
+{
+  return {std::sin(t) + 2 * std::sin(2 * t), std::cos(t) - 2 * std::cos(2 * t), -std::sin(3 * t)};
+}
 
 // Turned about the x and then about the z axis.
 inline Triangle_surface rotated(Triangle_surface s, double a, double b)
@@ -329,7 +352,10 @@ inline meridian::Polygon_soup soup(const Triangle_surface& s)
   return soup;
 }
 
-inline int euler_characteristic(const Triangle_surface& s) { return s.number_of_vertices() - s.number_of_edges() + s.number_of_faces(); }
+inline int euler_characteristic(const Triangle_surface& s)
+{
+  return s.number_of_vertices() - s.number_of_edges() + s.number_of_faces();
+}
 
 } // namespace sample
 

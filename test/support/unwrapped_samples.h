@@ -36,8 +36,14 @@ struct Folder
   }
   template <class Read> std::string message_of(const Read& read) const
   {
-    try { read(); }
-    catch (const files::File_error& e) { return e.what(); }
+    try
+    {
+      read();
+    }
+    catch (const files::File_error& e)
+    {
+      return e.what();
+    }
     return "";
   }
 };
@@ -59,7 +65,10 @@ inline void find_seams(Result_mesh& m)
   std::set<std::pair<Index, Index>> sides;
   std::map<std::pair<Index, Index>, Index> open;
   const auto each_side = [&](const auto& f) {
-    for (Index h = 0; h < static_cast<Index>(3 * m.faces.size()); ++h) { f(h, m.faces[h / 3][h % 3], m.faces[h / 3][(h + 1) % 3]); }
+    for (Index h = 0; h < static_cast<Index>(3 * m.faces.size()); ++h)
+    {
+      f(h, m.faces[h / 3][h % 3], m.faces[h / 3][(h + 1) % 3]);
+    }
   };
   each_side([&](Index, Index a, Index b) { sides.insert({a, b}); });
   each_side([&](Index h, Index a, Index b) {
@@ -97,7 +106,12 @@ inline Result_mesh opened_into_charts(const Triangle_surface& s, const std::func
 }
 
 // A torus of n x m quadrilaterals, cut along two circles and laid out as the unit square.
-struct Torus { Polygon_soup soup; Result_mesh mesh; Texture texture; };
+struct Torus
+{
+  Polygon_soup soup;
+  Result_mesh mesh;
+  Texture texture;
+};
 inline Torus opened_torus(Index n, Index m)
 {
   Torus t;

@@ -14,8 +14,8 @@ namespace meridian {
 struct Polygon_soup
 {
   std::vector<std::array<double, 3>> points;
-  std::vector<std::int32_t> corners;      ///< the polygons' point indices, one after the other
-  std::vector<std::size_t> begin{0};      ///< polygon `i` has the corners `begin[i]` to `begin[i+1]-1`
+  std::vector<std::int32_t> corners; ///< the polygons' point indices, one after the other
+  std::vector<std::size_t> begin{0}; ///< polygon `i` has the corners `begin[i]` to `begin[i+1]-1`
 
   std::size_t number_of_polygons() const { return begin.size() - 1; }
   std::size_t size(std::size_t i) const { return begin[i + 1] - begin[i]; }
@@ -37,9 +37,13 @@ template <class Function> void for_each_triangle(const Polygon_soup& soup, Funct
   {
     const std::size_t n = soup.size(i);
     std::size_t lowest = 0;
-    for (std::size_t k = 1; k < n && n > 3; ++k) { if (soup.corner(i, k) < soup.corner(i, lowest)) { lowest = k; } }
+    for (std::size_t k = 1; k < n && n > 3; ++k)
+    {
+      if (soup.corner(i, k) < soup.corner(i, lowest)) { lowest = k; }
+    }
     for (std::size_t k = 1; k + 1 < n; ++k)
-      f(triangle++, static_cast<std::int32_t>(i), soup.corner(i, lowest), soup.corner(i, (lowest + k) % n), soup.corner(i, (lowest + k + 1) % n));
+      f(triangle++, static_cast<std::int32_t>(i), soup.corner(i, lowest), soup.corner(i, (lowest + k) % n),
+        soup.corner(i, (lowest + k + 1) % n));
   }
 }
 

@@ -13,7 +13,24 @@ namespace meridian {
 
 /// \ingroup PkgMeridianProgress
 /// the stages of a cut, of a search for generators or of an unwrapping, in the order they run.
-enum class Stage { EXTREMA, FIELD, ORDER, CONTOURS, MERIDIANS, FLOW, LONGITUDES, TIGHTEN, INSERT, CLASSIFY, LINKS, SHORTEN, OPEN, PARAMETERIZE, VERIFY };
+enum class Stage
+{
+  EXTREMA,
+  FIELD,
+  ORDER,
+  CONTOURS,
+  MERIDIANS,
+  FLOW,
+  LONGITUDES,
+  TIGHTEN,
+  INSERT,
+  CLASSIFY,
+  LINKS,
+  SHORTEN,
+  OPEN,
+  PARAMETERIZE,
+  VERIFY
+};
 
 /// \ingroup PkgMeridianProgress
 /// \returns the name of a stage as it stands in reports
@@ -46,9 +63,10 @@ class Progress_observer
 {
 public:
   virtual ~Progress_observer() = default;
-  virtual void stage_started(Stage) {}                     ///< called once before each stage
-  virtual void stage_progressed(Stage, double /*done*/) {} ///< `done` grows from 0 to 1; told by the links, the longest loop
-  virtual void stage_finished(Stage) {}                    ///< not called if the stage throws
+  virtual void stage_started(Stage) {} ///< called once before each stage
+  /// `done` grows from 0 to 1; told by the links, the longest loop
+  virtual void stage_progressed(Stage, double /*done*/) {}
+  virtual void stage_finished(Stage) {} ///< not called if the stage throws
   /// asked between steps. \returns `false` to end the run with `Cancelled`
   virtual bool go_further() { return true; }
 };
@@ -69,7 +87,10 @@ public:
     if (m_observer && !m_observer->go_further())
       throw Cancelled(std::string("cancelled during stage '") + name_of(m_stage) + "'");
   }
-  void finish() const { if (m_observer) { m_observer->stage_finished(m_stage); } }
+  void finish() const
+  {
+    if (m_observer) { m_observer->stage_finished(m_stage); }
+  }
 
 private:
   Progress_observer* m_observer;

@@ -16,7 +16,12 @@ namespace meridian {
 /// where a vertex of a result lies on the input file: on a vertex, inside an edge or inside a face.
 struct Result_origin
 {
-  enum Kind : std::uint8_t { VERTEX, EDGE, FACE };
+  enum Kind : std::uint8_t
+  {
+    VERTEX,
+    EDGE,
+    FACE
+  };
   Kind kind = VERTEX;
   std::array<std::int32_t, 2> index{-1, -1}; ///< a vertex; two vertices, the lower first; or a triangle of the input
   std::array<double, 3> weight{0, 0, 0};     ///< nothing; the fraction from the first; or barycentric coordinates
@@ -25,16 +30,18 @@ struct Result_origin
 };
 
 /// \ingroup PkgMeridianResults
-/// a mesh made from an input file, with the map that leads back: the vertices of the file first, then new ones, then copies.
+/// a mesh made from an input file, with the map that leads back: the vertices of the file first, then new ones, then
+/// copies.
 struct Result_mesh
 {
   std::vector<std::array<double, 3>> points;
   std::vector<std::array<std::int32_t, 3>> faces;
-  std::vector<std::int32_t> copy_of;              ///< for each vertex the one it doubles, or -1
-  std::vector<Result_origin> origin;              ///< for each vertex
-  std::vector<std::int32_t> face_of;              ///< for each face the polygon of the input
-  std::vector<std::int32_t> component_of;         ///< for each face
-  std::vector<std::array<std::int32_t, 2>> seams; ///< pairs of sides that were one edge; side `3*f + k` leaves corner `k` of face `f`
+  std::vector<std::int32_t> copy_of;      ///< for each vertex the one it doubles, or -1
+  std::vector<Result_origin> origin;      ///< for each vertex
+  std::vector<std::int32_t> face_of;      ///< for each face the polygon of the input
+  std::vector<std::int32_t> component_of; ///< for each face
+  /// pairs of sides that were one edge; side `3*f + k` leaves corner `k` of face `f`
+  std::vector<std::array<std::int32_t, 2>> seams;
 };
 
 /// \ingroup PkgMeridianResults
@@ -43,7 +50,8 @@ struct Result_curve
 {
   std::string name;
   std::vector<std::int32_t> points;
-  std::map<std::int32_t, double> field; ///< of flow lines: values at vertices of the input around, linear along its edges
+  /// of flow lines: values at vertices of the input around, linear along its edges
+  std::map<std::int32_t, double> field;
 };
 
 /// \ingroup PkgMeridianResults
@@ -52,7 +60,8 @@ struct Result_curve
 /// \param points the points of the input
 /// \param triangle a function: the corners of triangle `i` of the input, as `for_each_triangle()` counts them
 template <class Triangles>
-std::array<double, 3> position_of(const Result_origin& o, const std::vector<std::array<double, 3>>& points, const Triangles& triangle)
+std::array<double, 3> position_of(const Result_origin& o, const std::vector<std::array<double, 3>>& points,
+                                  const Triangles& triangle)
 {
   if (o.kind == Result_origin::VERTEX) { return points[o.index[0]]; }
   std::array<double, 3> p;
@@ -65,7 +74,8 @@ std::array<double, 3> position_of(const Result_origin& o, const std::vector<std:
       continue;
     }
     const auto& corner = triangle(o.index[0]);
-    p[i] = (o.weight[0] * points[corner[0]][i] + o.weight[1] * points[corner[1]][i]) + o.weight[2] * points[corner[2]][i];
+    p[i] =
+      (o.weight[0] * points[corner[0]][i] + o.weight[1] * points[corner[1]][i]) + o.weight[2] * points[corner[2]][i];
   }
   return p;
 }

@@ -16,8 +16,8 @@ struct Component_count
 {
   int vertices = 0, edges = 0, faces = 0; ///< of the input, polygons divided into triangles
   int euler_characteristic = 0, boundary_loops = 0, genus = 0;
-  int discs = 0;                          ///< components of the result that it became
-  int disc_euler_characteristic = 0, disc_boundary_loops = 0; ///< of those together
+  int discs = 0;                                                ///< components of the result that it became
+  int disc_euler_characteristic = 0, disc_boundary_loops = 0;   ///< of those together
   int glued_euler_characteristic = 0, glued_boundary_loops = 0; ///< after the seams are glued
 };
 
@@ -35,16 +35,20 @@ struct Verification
 struct Curve_count
 {
   int pairs = 0, boundary_loops = 0;
-  /// the intersection matrix of the curves in the order meridian, longitude, meridian, ...: its entries that are not zero
+  /// the intersection matrix of the curves in the order meridian, longitude, meridian, ...: its entries that are not
+  /// zero
   std::map<std::pair<int, int>, int> intersections;
-  bool is_symplectic = false;  ///< whether it is the standard symplectic matrix
+  bool is_symplectic = false; ///< whether it is the standard symplectic matrix
   /// whether the curves, with all boundary loops but one, are a basis of the first homology over the integers
   bool is_basis = false;
 };
 
 /// \ingroup PkgMeridianVerification
 /// what was found about generators.
-struct Generator_verification : Verification { std::vector<Curve_count> curves; /**< one a component */ };
+struct Generator_verification : Verification
+{
+  std::vector<Curve_count> curves; /**< one a component */
+};
 
 } // namespace meridian
 

@@ -13,19 +13,20 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianGenerators
  *
- * curves in normal position: they cross edges, never pass through a vertex, and the crossings of every edge stand in a total
- * order. A curve is closed, or open and ends at two vertices.
+ * curves in normal position: they cross edges, never pass through a vertex, and the crossings of every edge stand in a
+ * total order. A curve is closed, or open and ends at two vertices.
  *
- * Sequences of edges and orders on edges are all that the topology is read from: between two crossings a curve runs through a
- * face as a chord, and two chords cross if and only if their ends alternate around the face. An open curve leaves its first
- * vertex, and comes to its last, across the edge on the other side of a face; or it runs along one edge and crosses none. Where on its
- * edge a crossing lies is a number beside it, for lengths alone. Closed curves `2i` and `2i + 1` are partners, who may cross; no two
- * others do.
+ * Sequences of edges and orders on edges are all that the topology is read from: between two crossings a curve runs
+ * through a face as a chord, and two chords cross if and only if their ends alternate around the face. An open curve
+ * leaves its first vertex, and comes to its last, across the edge on the other side of a face; or it runs along one
+ * edge and crosses none. Where on its edge a crossing lies is a number beside it, for lengths alone. Closed curves `2i`
+ * and `2i + 1` are partners, who may cross; no two others do.
  */
 class Normal_curves : public internal::Crossing_store
 {
 public:
-  /// a stretch of an edge between two crossings, or between a crossing and an end. Place `k` has `k` crossings before it.
+  /// a stretch of an edge between two crossings, or between a crossing and an end. Place `k` has `k` crossings before
+  /// it.
   struct Gap
   {
     Index edge, place;
@@ -33,9 +34,15 @@ public:
     bool operator==(const Gap& g) const { return edge == g.edge && place == g.place; }
   };
   /// a crossing to be made: in gap `place` of its edge. Several in one gap are ordered by `t`.
-  struct Step { Index halfedge, place; double t; };
+  struct Step
+  {
+    Index halfedge, place;
+    double t;
+  };
 
-  Normal_curves(const Triangle_surface& surface, Index curves) : Crossing_store(surface, curves), m_surface(Crossing_store::surface()), m_meeting((curves + 1) / 2, -1) {}
+  Normal_curves(const Triangle_surface& surface, Index curves)
+    : Crossing_store(surface, curves), m_surface(Crossing_store::surface()), m_meeting((curves + 1) / 2, -1)
+  {}
 
   static Index partner(Index curve) { return curve ^ 1; }
   /// \returns the gap beside a crossing, to the left or to the right of the curve
@@ -81,9 +88,12 @@ public:
 
   /// \returns the face in which a curve runs from `x` to the crossing after it
   Index face_after(Id x) const { return m_surface.face(m_surface.opposite[(*this)[x].halfedge]); }
-  /// \returns the other end of the chord that begins or ends at `x` in `face`; -1 if that is the corner on the other side
+  /// \returns the other end of the chord that begins or ends at `x` in `face`; -1 if that is the corner on the other
+  ///          side
   Id across(Id x, Index face) const
-  { return m_surface.face((*this)[x].halfedge) == face ? (*this)[x].prev : (*this)[x].next; }
+  {
+    return m_surface.face((*this)[x].halfedge) == face ? (*this)[x].prev : (*this)[x].next;
+  }
   /// \returns where an end of a chord of `face` stands in the order around it
   std::int64_t around(Id x, Index face) const
   {
@@ -104,7 +114,10 @@ public:
   {
     for (Index h = 3 * face; h < 3 * face + 3; ++h)
       for (Id y : on(m_surface.edge(h)))
-        if ((*this)[y].curve == partner((*this)[x].curve) && (*this)[y].halfedge != h && alternate(x, y, face)) { return y; }
+        if ((*this)[y].curve == partner((*this)[x].curve) && (*this)[y].halfedge != h && alternate(x, y, face))
+        {
+          return y;
+        }
     return -1;
   }
   /// \returns how often a curve crosses its partner in one face
@@ -122,7 +135,10 @@ public:
     return count;
   }
   /// \returns a face where a curve crosses its partner, or -1
-  Index meeting(Index curve) const { return curve / 2 < static_cast<Index>(m_meeting.size()) ? m_meeting[curve / 2] : -1; }
+  Index meeting(Index curve) const
+  {
+    return curve / 2 < static_cast<Index>(m_meeting.size()) ? m_meeting[curve / 2] : -1;
+  }
   /// says that a curve crosses its partner in `face`
   void set_meeting(Index curve, Index face) { m_meeting[curve / 2] = face; }
   /// \returns for each pair how often its curves cross each other
@@ -148,8 +164,12 @@ public:
   {
     std::vector<Index> faces, count(m_meeting.size(), 0);
     for (Id x : crossings(curve))
-      for (Index h : {(*this)[x].halfedge, m_surface.opposite[(*this)[x].halfedge]}) { faces.push_back(m_surface.face(h)); }
-    return count_in_faces(faces, count) && (count.empty() || curve / 2 >= static_cast<Index>(count.size()) || count[curve / 2] == 0);
+      for (Index h : {(*this)[x].halfedge, m_surface.opposite[(*this)[x].halfedge]})
+      {
+        faces.push_back(m_surface.face(h));
+      }
+    return count_in_faces(faces, count)
+           && (count.empty() || curve / 2 >= static_cast<Index>(count.size()) || count[curve / 2] == 0);
   }
 
   /// \returns whether a curve that crosses its partner once crosses it from right to left
@@ -162,23 +182,25 @@ public:
       const Id end = (*this)[x].next, y = crossed_by(end, face); // the partner enters the face at y
       if (y < 0) { continue; }
       const std::int64_t from = around(y, face), to = around(across(y, face), face), at = around(end, face);
-      return from < to ? at < from || at > to : to < at && at < from; // counterclockwise from where it leaves to where it enters
+      // counterclockwise from where it leaves to where it enters
+      return from < to ? at < from || at > to : to < at && at < from;
     }
     return false;
   }
 
-  /// calls `visit(gap, x)` for the gaps of the region of `face` that `gap` lies on, counterclockwise: `x` is the end of the chord
-  /// that comes after the gap, or -1 if a corner does. The region lies to the left of the way from `x` into the face.
+  /// calls `visit(gap, x)` for the gaps of the region of `face` that `gap` lies on, counterclockwise: `x` is the end of
+  /// the chord that comes after the gap, or -1 if a corner does. The region lies to the left of the way from `x` into
+  /// the face.
   template <class Visit> void for_each_gap_around(const Gap& gap, Index face, Visit visit) const
   {
     Index h = 3 * face;
     while (m_surface.edge(h) != gap.edge) { ++h; }
     const auto size = [&](Index g) { return static_cast<Index>(on(m_surface.edge(g)).size()); };
-    const auto turned = [&](Index g, Index k) { return m_surface.edge(g) == g ? k : size(g) - k; }; // places along a halfedge
+    // places along a halfedge
+    const auto turned = [&](Index g, Index k) { return m_surface.edge(g) == g ? k : size(g) - k; };
     const Index first = h, first_place = turned(h, gap.place);
     Index k = first_place;
-    do
-    {
+    do {
       const auto& list = on(m_surface.edge(h));
       const Index n = static_cast<Index>(list.size());
       if (k == n)
@@ -213,7 +235,8 @@ public:
   }
 
 private:
-  // How many crossings of a side, from its source on, come up to the last whose chord ends at the corner across from it.
+  // How many crossings of a side, from its source on, come up to the last whose chord ends at the corner across from
+  // it.
   Index count_before_corner(Index h, Index face) const
   {
     if (!has_open_curves()) { return 0; }
@@ -238,7 +261,8 @@ private:
           open.pop_back();
           return true;
         };
-        const auto& beyond = on(m_surface.edge(m_surface.next(h))); // chords from there may end at the corner that comes first
+        // chords from there may end at the corner that comes first
+        const auto& beyond = on(m_surface.edge(m_surface.next(h)));
         for (std::size_t i = 0; i < beyond.size() && has_open_curves(); ++i)
         {
           const Id x = beyond[m_surface.edge(m_surface.next(h)) == m_surface.next(h) ? beyond.size() - 1 - i : i];
@@ -257,9 +281,21 @@ private:
             continue;
           }
           if (edge(x) == edge(y)) { return false; }
-          if (side(y, face) > h) { open.push_back(x); continue; }
-          if (!open.empty() && open.back() == y) { open.pop_back(); continue; }
-          if (open.size() < 2 || (*this)[x].curve / 2 >= static_cast<Index>(count.size()) || open[open.size() - 2] != y || (*this)[open.back()].curve != partner((*this)[x].curve)) { return false; }
+          if (side(y, face) > h)
+          {
+            open.push_back(x);
+            continue;
+          }
+          if (!open.empty() && open.back() == y)
+          {
+            open.pop_back();
+            continue;
+          }
+          if (open.size() < 2 || (*this)[x].curve / 2 >= static_cast<Index>(count.size()) || open[open.size() - 2] != y
+              || (*this)[open.back()].curve != partner((*this)[x].curve))
+          {
+            return false;
+          }
           ++count[(*this)[x].curve / 2];
           open.erase(open.end() - 2);
         }
@@ -284,8 +320,11 @@ private:
   {
     std::vector<std::size_t> order(steps.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    const auto key = [&](std::size_t i) { return std::make_tuple(m_surface.edge(steps[i].halfedge), steps[i].place, steps[i].t, i); };
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) > key(b); }); // from the end, so that places stay
+    const auto key = [&](std::size_t i) {
+      return std::make_tuple(m_surface.edge(steps[i].halfedge), steps[i].place, steps[i].t, i);
+    };
+    // from the end, so that places stay
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) > key(b); });
     std::vector<Id> ids(steps.size());
     for (std::size_t i : order) { ids[i] = append(steps[i].halfedge, curve, steps[i].t, steps[i].place); }
     Id at = -1;
@@ -298,7 +337,7 @@ private:
   }
 
   const Triangle_surface& m_surface;
-  std::vector<Index> m_meeting;          // of each pair: the face where its chords cross, or -1
+  std::vector<Index> m_meeting; // of each pair: the face where its chords cross, or -1
 };
 
 } // namespace meridian

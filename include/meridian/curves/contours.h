@@ -23,20 +23,22 @@ struct Contour
 /// \ingroup PkgMeridianContours
 /// \returns whether halfedge `h` runs from below `level` to above it
 inline bool rises_through(const Ordered_surface& m, Index h, Index level)
-{ return m.rank[m.surface.source(h)] <= level && m.rank[m.surface.target(h)] > level; }
+{
+  return m.rank[m.surface.source(h)] <= level && m.rank[m.surface.target(h)] > level;
+}
 
 /// \ingroup PkgMeridianContours
 /// \returns the contour at `level` through halfedge `start`
 /// \pre `rises_through(m, start, level)`
 /// \par Complexity
-/// Linear in the number of edges crossed. Every step is decided by comparing ranks, so the contour is closed and simple.
+/// Linear in the number of edges crossed. Every step is decided by comparing ranks, so the contour is closed and
+/// simple.
 inline Contour trace_contour(const Ordered_surface& m, Index start, Index level)
 {
   Contour c;
   c.level = level;
   Index h = start;
-  do
-  {
+  do {
     c.halfedges.push_back(h);
     const Index o = m.surface.opposite[h];
     h = m.rank[m.surface.apex(o)] > level ? m.surface.next(o) : m.surface.prev(o);
@@ -89,8 +91,8 @@ inline double length(const Ordered_surface& m, const Contour& c)
 
 namespace internal {
 
-// A halfedge that rises through `level`, reached from halfedge `h` by always going on to the highest (lowest) node. With no
-// critical node on the way, it lies on the contour that the one through `h` becomes at `level`.
+// A halfedge that rises through `level`, reached from halfedge `h` by always going on to the highest (lowest) node.
+// With no critical node on the way, it lies on the contour that the one through `h` becomes at `level`.
 inline Index climb(const Ordered_surface& m, Index h, Index level, bool up)
 {
   while (up ? m.rank[m.surface.target(h)] <= level : m.rank[m.surface.target(h)] > level)
@@ -135,12 +137,16 @@ inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m, double 
     const Index rank = m.rank[p.vertex];
     std::array<Index, 2> up{-1, -1}, down{-1, -1}; // a halfedge into each sector
     std::vector<std::pair<Index, bool>> spokes;
-    for_each_around_node(m.surface, p.vertex, [&](Index h) { spokes.emplace_back(h, m.rank[m.surface.target(h)] > rank); });
+    for_each_around_node(m.surface, p.vertex,
+                         [&](Index h) { spokes.emplace_back(h, m.rank[m.surface.target(h)] > rank); });
     int ups = 0, downs = 0;
     for (std::size_t i = 0; i < spokes.size(); ++i)
       if (spokes[i].second != spokes[(i + spokes.size() - 1) % spokes.size()].second)
       {
-        if (spokes[i].second ? ups == 2 : downs == 2) { throw Internal_error("trace_saddle_loops: a saddle is not simple"); }
+        if (spokes[i].second ? ups == 2 : downs == 2)
+        {
+          throw Internal_error("trace_saddle_loops: a saddle is not simple");
+        }
         (spokes[i].second ? up[ups++] : down[downs++]) = spokes[i].first;
       }
     const auto here = std::lower_bound(ranks.begin(), ranks.end(), rank);
@@ -169,7 +175,10 @@ inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m, double 
   for (std::size_t i = 1; i < key.size(); ++i)
     is_repeated[key[i][3]] = key[i][0] == key[i - 1][0] && key[i][1] == key[i - 1][1];
   std::vector<Contour> unique;
-  for (std::size_t i = 0; i < loops.size(); ++i) { if (!is_repeated[i]) { unique.push_back(std::move(loops[i])); } }
+  for (std::size_t i = 0; i < loops.size(); ++i)
+  {
+    if (!is_repeated[i]) { unique.push_back(std::move(loops[i])); }
+  }
   return unique;
 }
 
@@ -184,8 +193,8 @@ enum class Levels
 /*!
  * \ingroup PkgMeridianContours
  *
- * \returns the shortest of contours that a contour sweeps between the critical points above and below it. All of them are isotopic, and
- *          loops on different arcs of the Reeb graph stay disjoint.
+ * \returns the shortest of contours that a contour sweeps between the critical points above and below it. All of them
+ *          are isotopic, and loops on different arcs of the Reeb graph stay disjoint.
  *
  * \param m the ordered surface
  * \param loop a contour
@@ -194,7 +203,8 @@ enum class Levels
  * \par Complexity
  * \f$ O(k \log k) \f$ for the `k` nodes that are swept, and linear in the crossings of the contours tried
  */
-inline Contour find_tightest_contour(const Ordered_surface& m, const Contour& loop, const std::vector<char>& is_critical, int samples = 24)
+inline Contour find_tightest_contour(const Ordered_surface& m, const Contour& loop,
+                                     const std::vector<char>& is_critical, int samples = 24)
 {
   Contour best = loop;
   double shortest = length(m, loop);

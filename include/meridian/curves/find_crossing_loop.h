@@ -15,12 +15,16 @@ namespace internal {
 // A way through gaps, each with the face by which the next one is reached.
 struct Gap_walk
 {
-  struct Stop { Normal_curves::Gap gap; Index face_after; };
+  struct Stop
+  {
+    Normal_curves::Gap gap;
+    Index face_after;
+  };
   std::vector<Stop> stops;
 };
 
-// Takes out of a closed walk what goes back the way it came: a gap left into the face it was reached from, and two gaps in
-// a row on one edge.
+// Takes out of a closed walk what goes back the way it came: a gap left into the face it was reached from, and two gaps
+// in a row on one edge.
 inline void reduce(Gap_walk& walk)
 {
   auto& stops = walk.stops;
@@ -42,22 +46,31 @@ inline void reduce(Gap_walk& walk)
       still = 0;
       i = i > 2 ? i - 3 : i + stops.size();
     }
-    else { ++still; ++i; }
+    else
+    {
+      ++still;
+      ++i;
+    }
   }
 }
 
-struct Crossing_loop { std::vector<Normal_curves::Step> steps; double length; };
+struct Crossing_loop
+{
+  std::vector<Normal_curves::Step> steps;
+  double length;
+};
 
 // Searches for loops; keeps its memory from one search to the next.
 class Crossing_loop_search
 {
 public:
   explicit Crossing_loop_search(const Normal_curves& curves)
-    : m_curves(curves), m_surface(curves.surface()), m_plain(m_surface.number_of_halfedges()) {}
+    : m_curves(curves), m_surface(curves.surface()), m_plain(m_surface.number_of_halfedges())
+  {}
 
-  // The shortest closed walk that crosses curve `m` once, from right to left, and no other curve: from the left side of the
-  // curve through gaps to its right side, and along that side back to where it began. If the curve does not separate the
-  // surface cut along the others there is one.
+  // The shortest closed walk that crosses curve `m` once, from right to left, and no other curve: from the left side of
+  // the curve through gaps to its right side, and along that side back to where it began. If the curve does not
+  // separate the surface cut along the others there is one.
   Crossing_loop find(Index m)
   {
     std::map<Gap, Index> source, target; // the crossing of `m` beside it
@@ -84,8 +97,9 @@ private:
 
   Reached& reached(const Gap& g)
   {
-    Reached& r = m_curves.on(g.edge).empty() ? m_plain[g.edge]
-                                             : m_crowded[static_cast<std::uint64_t>(g.edge) << 32 | static_cast<std::uint32_t>(g.place)];
+    Reached& r = m_curves.on(g.edge).empty()
+                   ? m_plain[g.edge]
+                   : m_crowded[static_cast<std::uint64_t>(g.edge) << 32 | static_cast<std::uint32_t>(g.place)];
     if (r.run != m_run)
     {
       r = Reached{};
@@ -119,7 +133,8 @@ private:
       const Point from = point(gap);
       for (Index h : {gap.edge, m_surface.opposite[gap.edge]})
       {
-        if (h < 0 || m_surface.face(h) == here.face) { continue; } // what lies in the face before was reached from there
+        // what lies in the face before was reached from there
+        if (h < 0 || m_surface.face(h) == here.face) { continue; }
         m_curves.for_each_gap_around(gap, m_surface.face(h), [&](const Gap& to, Index) {
           if (m_surface.opposite[to.edge] < 0 || to == gap) { return; }
           Reached& there = reached(to);
@@ -147,7 +162,8 @@ private:
     return walk;
   }
 
-  // Goes back from beside crossing `last` to beside crossing `first` along the right side of their curve, the shorter way round.
+  // Goes back from beside crossing `last` to beside crossing `first` along the right side of their curve, the shorter
+  // way round.
   Crossing_loop close(const Gap& end, Index first, Index last)
   {
     const auto way = [&](bool forward) {
@@ -155,7 +171,8 @@ private:
       for (Index x = last; x != first;)
       {
         const Index y = forward ? m_curves[x].next : m_curves[x].prev;
-        length += distance(m_surface.point_on(m_curves.edge(x), m_curves[x].t), m_surface.point_on(m_curves.edge(y), m_curves[y].t));
+        length += distance(m_surface.point_on(m_curves.edge(x), m_curves[x].t),
+                           m_surface.point_on(m_curves.edge(y), m_curves[y].t));
         x = y;
       }
       return length;
@@ -180,7 +197,10 @@ private:
       const Index face = stops[(i + stops.size() - 1) % stops.size()].face_after;
       Index h = 3 * face;
       while (h < 3 * face + 3 && m_surface.edge(h) != stops[i].gap.edge) { ++h; }
-      if (h == 3 * face + 3) { throw Internal_error("find_crossing_loop: a walk leaves a face through an edge of another"); }
+      if (h == 3 * face + 3)
+      {
+        throw Internal_error("find_crossing_loop: a walk leaves a face through an edge of another");
+      }
       loop.steps.push_back({h, stops[i].gap.place, m_curves.middle(stops[i].gap)});
     }
     return loop;
@@ -188,8 +208,8 @@ private:
 
   const Normal_curves& m_curves;
   const Triangle_surface& m_surface;
-  std::vector<Reached> m_plain;                           // of edges without crossings
-  std::unordered_map<std::uint64_t, Reached> m_crowded;   // of gaps on the others
+  std::vector<Reached> m_plain;                         // of edges without crossings
+  std::unordered_map<std::uint64_t, Reached> m_crowded; // of gaps on the others
   std::uint32_t m_run = 0;
 };
 

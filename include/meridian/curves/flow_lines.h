@@ -15,7 +15,7 @@ namespace meridian {
 /// a line of steepest descent or ascent, as far as no earlier line runs.
 struct Flow_line
 {
-  Index start = -1;    ///< the vertex it begins at: a saddle, or on a boundary loop that a line ended at before
+  Index start = -1; ///< the vertex it begins at: a saddle, or on a boundary loop that a line ended at before
   bool descends = true;
   Surface_curve curve; ///< on the surface that was ordered; a point inside an edge has the edge for a node
   Index joined = -1;   ///< the earlier line that it ends on, or -1 if it ends at a vertex of its own
@@ -27,11 +27,12 @@ struct Flow_line
  *
  * follows steepest descent or ascent through faces.
  *
- * An edge is crossed at one point, its portal, the same for all lines, and in one direction. So lines of one tracer merge and
- * never cross. Where the field turns back at an edge, or the order does not let a line go on, it slides along the edge to the
- * lower end. What is allowed is decided by ranks alone: on the way down the higher end of the edge that is crossed never
- * rises, and while it stays the same the line turns around it one way, less than once. So every line ends, and ends at a
- * critical node or a boundary loop, however bad the values are. (Downwards is upwards for ascending lines.)
+ * An edge is crossed at one point, its portal, the same for all lines, and in one direction. So lines of one tracer
+ * merge and never cross. Where the field turns back at an edge, or the order does not let a line go on, it slides along
+ * the edge to the lower end. What is allowed is decided by ranks alone: on the way down the higher end of the edge that
+ * is crossed never rises, and while it stays the same the line turns around it one way, less than once. So every line
+ * ends, and ends at a critical node or a boundary loop, however bad the values are. (Downwards is upwards for ascending
+ * lines.)
  */
 class Flow_tracer
 {
@@ -43,7 +44,9 @@ public:
     : m_ordered(m), m_surface(m.surface), m_descends(descend), m_kind(m.graph.number_of_nodes, REGULAR)
   {
     for (const Critical_point& p : critical)
-      m_kind[node(p.vertex)] = p.kind == Critical_kind::SADDLE ? SADDLE : (p.kind == Critical_kind::MINIMUM) == descend ? BOTTOM : TOP;
+      m_kind[node(p.vertex)] = p.kind == Critical_kind::SADDLE                 ? SADDLE
+                               : (p.kind == Critical_kind::MINIMUM) == descend ? BOTTOM
+                                                                               : TOP;
   }
 
   /// traces the two lines of a saddle
@@ -68,14 +71,27 @@ public:
   const std::vector<Flow_line>& lines() const { return m_lines; }
 
 private:
-  enum Kind : char { REGULAR, SADDLE, TOP, BOTTOM };
+  enum Kind : char
+  {
+    REGULAR,
+    SADDLE,
+    TOP,
+    BOTTOM
+  };
   static constexpr double margin = 0.05; // no portal comes closer to an end of its edge
-  struct Portal { double t; Index line; };
+  struct Portal
+  {
+    double t;
+    Index line;
+  };
 
   Index node(Index v) const { return m_ordered.graph.node[v]; }
   Index rank(Index v) const { return m_descends ? m_ordered.rank[v] : -m_ordered.rank[v]; }
   bool is_down(Index h, Index v) const { return rank(m_surface.target(h)) < rank(v); }
-  Index lower_end(Index h) const { return rank(m_surface.source(h)) < rank(m_surface.target(h)) ? m_surface.source(h) : m_surface.target(h); }
+  Index lower_end(Index h) const
+  {
+    return rank(m_surface.source(h)) < rank(m_surface.target(h)) ? m_surface.source(h) : m_surface.target(h);
+  }
   // Whether lines next to a vertex go straight to it.
   bool is_sink(Index v) const { return m_kind[node(v)] == BOTTOM || m_surface.is_boundary_vertex(v); }
 
@@ -90,14 +106,19 @@ private:
     const Point n = normal(f);
     const double area = dot(n, n);
     if (!(area > 0)) { return {0, 0, 0}; }
-    return ((m_descends ? -1 : 1) / area) * ((value(1) - value(0)) * cross(n, a - c) + (value(2) - value(0)) * cross(n, b - a));
+    return ((m_descends ? -1 : 1) / area)
+           * ((value(1) - value(0)) * cross(n, a - c) + (value(2) - value(0)) * cross(n, b - a));
   }
   Point normal(Index f) const
   {
     const auto& t = m_surface.triangles[f];
     return cross(m_surface.points[t[1]] - m_surface.points[t[0]], m_surface.points[t[2]] - m_surface.points[t[0]]);
   }
-  Point outwards(Index h) const { return cross(m_surface.points[m_surface.target(h)] - m_surface.points[m_surface.source(h)], normal(m_surface.face(h))); }
+  Point outwards(Index h) const
+  {
+    return cross(m_surface.points[m_surface.target(h)] - m_surface.points[m_surface.source(h)],
+                 normal(m_surface.face(h)));
+  }
   bool flows_out(Index h) const { return dot(slope(m_surface.face(h)), outwards(h)) > 0; }
   // The halfedge by which lines cross an edge, leaving its face, or -1 if they slide along it.
   Index passage(Index h) const
@@ -123,12 +144,14 @@ private:
     const Index e = m_surface.edge(h);
     return {-1, h, e == h ? portal.t : 1 - portal.t, e};
   }
-  // Brings the line to the portal of `h`, which `t` places if it is new. \returns whether the line ends there on another.
+  // Brings the line to the portal of `h`, which `t` places if it is new. \returns whether the line ends there on
+  // another.
   bool reach_portal(Flow_line& line, Index h, double t)
   {
     t = t > margin ? std::min(t, 1 - margin) : margin;
     const auto line_number = static_cast<Index>(m_lines.size());
-    const auto [at, is_new] = m_portals.try_emplace(m_surface.edge(h), Portal{m_surface.edge(h) == h ? t : 1 - t, line_number});
+    const auto [at, is_new] =
+      m_portals.try_emplace(m_surface.edge(h), Portal{m_surface.edge(h) == h ? t : 1 - t, line_number});
     line.curve.points.push_back(point_on(h, at->second));
     return !is_new && join(line, at->second.line);
   }
@@ -150,12 +173,20 @@ private:
     return true;
   }
 
-  // What a line does from a vertex: the steepest of the ways into faces and along edges, among halfedges to lower neighbours.
-  struct Departure { Index halfedge = -1; bool along = true; double t = 0.5, speed = -1; };
+  // What a line does from a vertex: the steepest of the ways into faces and along edges, among halfedges to lower
+  // neighbours.
+  struct Departure
+  {
+    Index halfedge = -1;
+    bool along = true;
+    double t = 0.5, speed = -1;
+  };
   Departure depart(const std::vector<Index>& lower) const
   {
     Departure best;
-    const auto offer = [&](const Departure& d) { if (best.halfedge < 0 || d.speed > best.speed) { best = d; } };
+    const auto offer = [&](const Departure& d) {
+      if (best.halfedge < 0 || d.speed > best.speed) { best = d; }
+    };
     for (Index h : lower)
     {
       const Index v = m_surface.source(h), a = node(v), b = node(m_surface.target(h));
@@ -164,9 +195,15 @@ private:
       const double length = m_surface.length(h);
       offer({h, true, 0.5, length > 0 ? drop / length : 0});
       const Index across = m_surface.next(h), w = m_surface.target(across);
-      if (rank(w) >= rank(v) || is_sink(w) || is_sink(m_surface.target(h)) || m_turns.count({m_surface.face(h), v})) { continue; }
+      if (rank(w) >= rank(v) || is_sink(w) || is_sink(m_surface.target(h)) || m_turns.count({m_surface.face(h), v}))
+      {
+        continue;
+      }
       const auto [t, time] = leave(across, m_surface.points[v]);
-      if (time < std::numeric_limits<double>::infinity() && t > 0 && t < 1) { offer({across, false, t, norm(slope(m_surface.face(h)))}); }
+      if (time < std::numeric_limits<double>::infinity() && t > 0 && t < 1)
+      {
+        offer({across, false, t, norm(slope(m_surface.face(h)))});
+      }
     }
     return best;
   }
@@ -205,7 +242,9 @@ private:
       if (is_over) { break; }
       lower.clear();
       const Index at = line.curve.points.back().vertex;
-      m_surface.for_each_outgoing(at, [&](Index g) { if (is_down(g, at)) { lower.push_back(g); } });
+      m_surface.for_each_outgoing(at, [&](Index g) {
+        if (is_down(g, at)) { lower.push_back(g); }
+      });
     }
     if (line.joined >= 0) { line.end = m_lines[line.joined].end; }
     const Index end = line.end;
@@ -214,12 +253,14 @@ private:
     // Beyond a boundary loop that is not critical the flow goes on.
     if (!ends_here || m_kind[node(end)] != REGULAR || !m_left.insert(node(end)).second) { return; }
     std::vector<Index> onward;
-    for_each_around_node(m_surface, end, [&](Index g) { if (is_down(g, end)) { onward.push_back(g); } });
+    for_each_around_node(m_surface, end, [&](Index g) {
+      if (is_down(g, end)) { onward.push_back(g); }
+    });
     trace_line(onward);
   }
 
-  // From the portal of `h`, reached out of its face: through the next face, or along the edge. Sets `h` to the edge reached, or
-  // to -1 at a vertex. \returns whether the line is over
+  // From the portal of `h`, reached out of its face: through the next face, or along the edge. Sets `h` to the edge
+  // reached, or to -1 at a vertex. \returns whether the line is over
   bool cross_face(Flow_line& line, Index& h)
   {
     const Index low = lower_end(h), high = m_surface.source(h) == low ? m_surface.target(h) : m_surface.source(h);
@@ -242,7 +283,8 @@ private:
     const auto [t_low, time_low] = leave(at_low, from);
     const auto [t_high, time_high] = leave(at_high, from);
     // The line may turn around the higher end, unless lines only come from there or one goes from it through the face.
-    const bool may_turn = m_kind[node(high)] != TOP && !m_surface.is_boundary_vertex(high) && !m_straight.count({f, high});
+    const bool may_turn =
+      m_kind[node(high)] != TOP && !m_surface.is_boundary_vertex(high) && !m_straight.count({f, high});
     const bool turns = may_turn && time_high < time_low;
     if (!turns && !(time_low < std::numeric_limits<double>::infinity())) { return slide(); }
     const Index to = turns ? at_high : at_low;
@@ -255,14 +297,14 @@ private:
   const Ordered_surface& m_ordered;
   const Refined_surface& m_surface;
   bool m_descends;
-  std::vector<Kind> m_kind;                       // of each node
+  std::vector<Kind> m_kind; // of each node
   std::vector<Flow_line> m_lines;
-  std::map<Index, Portal> m_portals;              // by edge
-  std::set<Index> m_runs;                         // edges that lines run along
-  std::map<Index, Index> m_visited;               // vertex: the line that came first
-  std::set<std::pair<Index, Index>> m_straight;   // face and corner, where a line goes from the corner through the face
-  std::set<std::pair<Index, Index>> m_turns;      // face and corner that a line passes by
-  std::set<Index> m_left;                         // boundary loops that a line goes on from
+  std::map<Index, Portal> m_portals;            // by edge
+  std::set<Index> m_runs;                       // edges that lines run along
+  std::map<Index, Index> m_visited;             // vertex: the line that came first
+  std::set<std::pair<Index, Index>> m_straight; // face and corner, where a line goes from the corner through the face
+  std::set<std::pair<Index, Index>> m_turns;    // face and corner that a line passes by
+  std::set<Index> m_left;                       // boundary loops that a line goes on from
 };
 
 } // namespace meridian

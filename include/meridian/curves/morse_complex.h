@@ -10,11 +10,18 @@ namespace meridian {
 
 /// \ingroup PkgMeridianFlow
 /// a critical point, as a vertex of the graph of a complex.
-struct Complex_vertex { Critical_point critical{}; };
+struct Complex_vertex
+{
+  Critical_point critical{};
+};
 
 /// \ingroup PkgMeridianFlow
 /// a flow line from a saddle to the critical point that it comes to, as an edge of the graph of a complex.
-struct Complex_edge { Index line = -1; double length = 0; };
+struct Complex_edge
+{
+  Index line = -1;
+  double length = 0;
+};
 
 /// \ingroup PkgMeridianFlow
 using Complex_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, Complex_vertex, Complex_edge>;
@@ -23,9 +30,10 @@ using Complex_graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::und
 /// the quasi Morse-Smale complex of an ordered surface (Patane 2007, section 4; Edelsbrunner, Harer, Zomorodian 2003).
 struct Morse_complex
 {
-  std::vector<Flow_line> lines;             ///< descending ones first
-  Complex_graph graph;                      ///< critical points, and a line for each edge
-  std::vector<std::pair<Index, Index>> connections; ///< edges of the graph from saddle to saddle, as vertices of the graph
+  std::vector<Flow_line> lines; ///< descending ones first
+  Complex_graph graph;          ///< critical points, and a line for each edge
+  /// edges of the graph from saddle to saddle, as vertices of the graph
+  std::vector<std::pair<Index, Index>> connections;
   bool is_morse_smale() const { return connections.empty(); } ///< whether no line of a saddle comes to a saddle
 };
 
@@ -33,7 +41,9 @@ struct Morse_complex
 /// \returns the points of a flow line as far as its critical point: its own, and what it joins
 inline std::vector<Curve_point> whole_line(const std::vector<Flow_line>& lines, Index i)
 {
-  const auto is_same = [](const Curve_point& a, const Curve_point& b) { return a.is_vertex() ? a.vertex == b.vertex : !b.is_vertex() && a.node == b.node; };
+  const auto is_same = [](const Curve_point& a, const Curve_point& b) {
+    return a.is_vertex() ? a.vertex == b.vertex : !b.is_vertex() && a.node == b.node;
+  };
   std::vector<Curve_point> points = lines[i].curve.points;
   while (lines[i].joined >= 0)
   {
@@ -51,11 +61,12 @@ inline std::vector<Curve_point> whole_line(const std::vector<Flow_line>& lines, 
 /*!
  * \ingroup PkgMeridianFlow
  *
- * \returns the quasi Morse-Smale complex: the two descending and the two ascending flow lines of every saddle, and their graph
+ * \returns the quasi Morse-Smale complex: the two descending and the two ascending flow lines of every saddle, and
+ *          their graph
  * \param m an ordered surface whose saddles are simple
  *
- * On a surface with boundary, lines go on beyond a boundary loop that is not critical; those pieces are lines of their own, and the
- * edge of the graph is the piece that began at the saddle.
+ * On a surface with boundary, lines go on beyond a boundary loop that is not critical; those pieces are lines of their
+ * own, and the edge of the graph is the piece that began at the saddle.
  *
  * \par Complexity
  * \f$ O(k \log k) \f$ for `k` edges crossed, and one pass over the surface
@@ -70,7 +81,10 @@ inline Morse_complex make_morse_complex(const Ordered_surface& m)
   for (bool descend : {true, false})
   {
     Flow_tracer tracer(m, descend, critical);
-    for (const Critical_point& p : critical) { if (p.kind == Critical_kind::SADDLE) { tracer.trace(p.vertex); } }
+    for (const Critical_point& p : critical)
+    {
+      if (p.kind == Critical_kind::SADDLE) { tracer.trace(p.vertex); }
+    }
     const Index first = static_cast<Index>(c.lines.size());
     for (Flow_line line : tracer.lines())
     {
@@ -84,7 +98,10 @@ inline Morse_complex make_morse_complex(const Ordered_surface& m)
     if (from == vertex.end() || to == vertex.end()) { continue; } // from or to a boundary loop
     const Surface_curve whole{whole_line(c.lines, i), false};
     boost::add_edge(from->second, to->second, Complex_edge{i, length(m.surface, whole)}, c.graph);
-    if (c.graph[to->second].critical.kind == Critical_kind::SADDLE) { c.connections.emplace_back(from->second, to->second); }
+    if (c.graph[to->second].critical.kind == Critical_kind::SADDLE)
+    {
+      c.connections.emplace_back(from->second, to->second);
+    }
   }
   return c;
 }

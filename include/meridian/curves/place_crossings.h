@@ -15,20 +15,21 @@ namespace internal {
 // piece, counted from the edge's lower end if `from_source` is set and from its higher end otherwise.
 struct Crossing
 {
-  Index halfedge;    // by which the curve leaves a face
-  Index edge;        // its edge
-  double piece;      // where the piece of the edge begins
-  Index place;       // the order within the piece
-  double t;          // fraction along `edge`
-  bool from_source;  // whether (piece, place) grows along `edge`
-  Index node = -1;   // crossings with the same number from 0 on stand together on one edge and become one point
+  Index halfedge;   // by which the curve leaves a face
+  Index edge;       // its edge
+  double piece;     // where the piece of the edge begins
+  Index place;      // the order within the piece
+  double t;         // fraction along `edge`
+  bool from_source; // whether (piece, place) grows along `edge`
+  Index node = -1;  // crossings with the same number from 0 on stand together on one edge and become one point
 };
 
 // The order of crossings on an edge, edge by edge.
 inline bool is_before(const Crossing& a, const Crossing& b)
 {
   if (a.edge != b.edge) { return a.edge < b.edge; }
-  return a.from_source ? std::tie(a.piece, a.place) < std::tie(b.piece, b.place) : std::tie(b.piece, b.place) < std::tie(a.piece, a.place);
+  return a.from_source ? std::tie(a.piece, a.place) < std::tie(b.piece, b.place)
+                       : std::tie(b.piece, b.place) < std::tie(a.piece, a.place);
 }
 
 // Gives every crossing its final fraction and lets curves pass through vertices that they come close to.
@@ -41,16 +42,19 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
   constexpr double margin = 0.05; // of its edge, a crossing keeps from its ends and, if there is room, from others;
   constexpr double beside = 0.25; // but of the shortest edge at a vertex, no more than this,
   constexpr double least_margin = 1e-3;
-  constexpr double part = 0.3;    // and all crossings of an edge no more than this of it
+  constexpr double part = 0.3; // and all crossings of an edge no more than this of it
   const auto margin_at = [&](Index v, Index edge) {
     double shortest = s.length(edge);
     const double whole = shortest;
     s.for_each_outgoing(v, [&](Index h) { shortest = std::min(shortest, s.length(h)); });
     return std::max(least_margin, whole > 0 ? std::min(margin, beside * shortest / whole) : margin);
   };
-  constexpr double close = 0.2;   // a curve that passes a vertex within this fraction of all edges goes through it
+  constexpr double close = 0.2; // a curve that passes a vertex within this fraction of all edges goes through it
 
-  struct Place { std::size_t curve, position; };
+  struct Place
+  {
+    std::size_t curve, position;
+  };
   std::vector<Place> places;
   for (std::size_t c = 0; c < curves.size(); ++c)
     for (std::size_t i = 0; i < curves[c].size(); ++i) { places.push_back({c, i}); }
@@ -71,10 +75,13 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
     for (j = i; j < places.size() && at(places[j]).edge == at(places[i]).edge; ++j) {}
     const Index e = at(places[i]).edge;
     const double room = part / static_cast<double>(j - i + 1);
-    const double from_source = std::min(room, margin_at(s.source(e), e)), from_target = std::min(room, margin_at(s.target(e), e));
+    const double from_source = std::min(room, margin_at(s.source(e), e)),
+                 from_target = std::min(room, margin_at(s.target(e), e));
     const double gap = std::min(from_source, from_target);
     double least = from_source - gap, most = 1 - from_target + gap;
-    const auto is_one = [&](std::size_t k) { return at(places[k]).node >= 0 && at(places[k]).node == at(places[k - 1]).node; };
+    const auto is_one = [&](std::size_t k) {
+      return at(places[k]).node >= 0 && at(places[k]).node == at(places[k - 1]).node;
+    };
     for (std::size_t k = i; k < j; ++k)
     {
       double& t = fraction[places[k].curve][places[k].position];
@@ -91,7 +98,12 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
   }
 
   // A run is a longest stretch of crossings whose edges share a vertex, which the curve goes round.
-  struct Run { double reach; std::size_t curve, begin, length; Index vertex; };
+  struct Run
+  {
+    double reach;
+    std::size_t curve, begin, length;
+    Index vertex;
+  };
   std::vector<Run> runs;
   for (std::size_t c = 0; c < curves.size(); ++c)
   {
@@ -151,7 +163,8 @@ std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std:
       const Crossing& x = curves[c][i];
       if (passes[c][i] >= 0) { result[c].points.push_back(Curve_point::on_vertex(passes[c][i])); }
       else if (passes[c][i] == -1)
-        result[c].points.push_back({-1, x.halfedge, x.edge == x.halfedge ? fraction[c][i] : 1 - fraction[c][i], x.node});
+        result[c].points.push_back(
+          {-1, x.halfedge, x.edge == x.halfedge ? fraction[c][i] : 1 - fraction[c][i], x.node});
     }
   }
   return result;

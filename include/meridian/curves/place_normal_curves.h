@@ -8,9 +8,12 @@
 namespace meridian {
 namespace internal {
 
-// Two crossings of partners whose chords cross: they stand next to each other on one edge, because a third curve between
-// them would have to cross one of the two.
-struct Meeting { Index x = -1, y = -1; };
+// Two crossings of partners whose chords cross: they stand next to each other on one edge, because a third curve
+// between them would have to cross one of the two.
+struct Meeting
+{
+  Index x = -1, y = -1;
+};
 
 inline Meeting find_meeting(const Normal_curves& curves, Index c)
 {

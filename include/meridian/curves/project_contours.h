@@ -9,9 +9,14 @@ namespace meridian {
 
 namespace internal {
 
-// Where a halfedge of a refined surface lies on an edge of its root: the halfedge of the root, in the face that holds the one given, and
-// the fractions of the two ends, counted from the lower of the edge's vertices.
-struct Root_stretch { Index halfedge; Index lower; std::array<double, 2> at; };
+// Where a halfedge of a refined surface lies on an edge of its root: the halfedge of the root, in the face that holds
+// the one given, and the fractions of the two ends, counted from the lower of the edge's vertices.
+struct Root_stretch
+{
+  Index halfedge;
+  Index lower;
+  std::array<double, 2> at;
+};
 
 // False if it lies inside a face of the root.
 inline bool find_stretch(const Triangle_surface& root, const Refined_surface& s, Index h, Root_stretch& found)
@@ -39,7 +44,11 @@ template <class Sequence> void cancel(const Triangle_surface& s, Sequence& cross
     else { kept.push_back(c); }
   }
   std::size_t first = 0, last = kept.size();
-  while (last - first >= 2 && s.opposite[kept[last - 1].halfedge] == kept[first].halfedge) { ++first; --last; }
+  while (last - first >= 2 && s.opposite[kept[last - 1].halfedge] == kept[first].halfedge)
+  {
+    ++first;
+    --last;
+  }
   crossings = {kept.begin() + first, kept.begin() + last};
 }
 
@@ -60,7 +69,8 @@ inline std::vector<std::vector<Crossing>> project_crossings(const Triangle_surfa
       const bool rises = on.at[0] < on.at[1]; // the level grows from source to target
       const Index edge = root.edge(on.halfedge);
       const bool from_source = root.source(edge) == on.lower;
-      curve.push_back({on.halfedge, edge, std::min(on.at[0], on.at[1]), rises ? contour->level : -contour->level, from_source ? t : 1 - t, from_source});
+      curve.push_back({on.halfedge, edge, std::min(on.at[0], on.at[1]), rises ? contour->level : -contour->level,
+                       from_source ? t : 1 - t, from_source});
     }
     cancel(root, curve);
     if (curve.empty()) { throw Internal_error("project_contours: a contour can be pulled to a point"); }

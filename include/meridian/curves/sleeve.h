@@ -32,15 +32,24 @@ inline void trim(const Triangle_surface& s, Sleeve& sleeve)
 
 using Point_2 = std::array<double, 2>;
 inline double turn(const Point_2& a, const Point_2& b, const Point_2& c)
-{ return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+}
 
 // The shortest path inside a sleeve, laid out in the plane.
 struct Pulled_path
 {
-  struct Corner { Index vertex; bool is_left; std::size_t portal, first; Point_2 at; }; // `first`: the portal from which on it is an end
-  std::vector<Corner> corners;       // start, the vertices where the path bends, end
-  std::vector<Point_2> left, right;  // the ends of each portal: target and source of its halfedge
-  std::vector<double> fraction;      // where the path crosses each halfedge
+  // `first`: the portal from which on it is an end
+  struct Corner
+  {
+    Index vertex;
+    bool is_left;
+    std::size_t portal, first;
+    Point_2 at;
+  };
+  std::vector<Corner> corners;      // start, the vertices where the path bends, end
+  std::vector<Point_2> left, right; // the ends of each portal: target and source of its halfedge
+  std::vector<double> fraction;     // where the path crosses each halfedge
 };
 
 // Unfolds the sleeve and pulls the path tight with a funnel (Lee, Preparata 1984).
@@ -58,7 +67,8 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
     return {a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0]};
   };
   const Index h0 = sleeve.halfedges.front();
-  std::vector<std::size_t> first_left{0}, first_right{0}; // a closed sleeve comes to a vertex again; that is another end
+  // a closed sleeve comes to a vertex again; that is another end
+  std::vector<std::size_t> first_left{0}, first_right{0};
   path.right.push_back({0, 0});
   path.left.push_back({s.length(h0), 0});
   const Point_2 start = third(s.source(h0), s.target(h0), sleeve.start, path.right[0], path.left[0], 1);
@@ -67,7 +77,11 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
   {
     const Index h = sleeve.halfedges[i], o = s.opposite[h];
     const Point_2 c = third(s.source(h), s.target(h), s.apex(o), path.right[i], path.left[i], -1);
-    if (i + 1 == n) { end = c; break; }
+    if (i + 1 == n)
+    {
+      end = c;
+      break;
+    }
     const bool moves_left = sleeve.halfedges[i + 1] == s.next(o); // the new portal keeps the right end
     path.right.push_back(moves_left ? path.right[i] : c);
     path.left.push_back(moves_left ? c : path.left[i]);
@@ -76,8 +90,12 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
   }
 
   using Corner = Pulled_path::Corner;
-  const auto left_of = [&](std::size_t i) { return Corner{s.target(sleeve.halfedges[i]), true, i, first_left[i], path.left[i]}; };
-  const auto right_of = [&](std::size_t i) { return Corner{s.source(sleeve.halfedges[i]), false, i, first_right[i], path.right[i]}; };
+  const auto left_of = [&](std::size_t i) {
+    return Corner{s.target(sleeve.halfedges[i]), true, i, first_left[i], path.left[i]};
+  };
+  const auto right_of = [&](std::size_t i) {
+    return Corner{s.source(sleeve.halfedges[i]), false, i, first_right[i], path.right[i]};
+  };
   Corner apex{sleeve.start, true, 0, 0, start}, left = apex, right = apex;
   bool left_is_apex = true, right_is_apex = true;
   path.corners.push_back(apex);
@@ -99,13 +117,21 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
     const bool is_bend = path.corners.size() > 1;
     if (right_is_apex || turn(apex.at, right.at, r.at) >= 0)
     {
-      if (!right_is_apex && !left_is_apex && turn(apex.at, left.at, r.at) >= 0) { restart(left); continue; }
+      if (!right_is_apex && !left_is_apex && turn(apex.at, left.at, r.at) >= 0)
+      {
+        restart(left);
+        continue;
+      }
       right = r;
       right_is_apex = is_bend && !apex.is_left && r.first == apex.first;
     }
     if (left_is_apex || turn(apex.at, left.at, l.at) <= 0)
     {
-      if (!left_is_apex && !right_is_apex && turn(apex.at, right.at, l.at) <= 0) { restart(right); continue; }
+      if (!left_is_apex && !right_is_apex && turn(apex.at, right.at, l.at) <= 0)
+      {
+        restart(right);
+        continue;
+      }
       left = l;
       left_is_apex = is_bend && apex.is_left && l.first == apex.first;
     }
@@ -118,7 +144,9 @@ inline Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
   {
     while (k + 1 < path.corners.size() && path.corners[k].portal < i) { ++k; }
     const Corner &a = path.corners[k - 1], &b = path.corners[k];
-    const auto ends_at = [&](const Corner& corner, bool is_bend) { return is_bend && corner.first == (corner.is_left ? first_left : first_right)[i]; };
+    const auto ends_at = [&](const Corner& corner, bool is_bend) {
+      return is_bend && corner.first == (corner.is_left ? first_left : first_right)[i];
+    };
     const bool at_a = ends_at(a, k > 1), at_b = ends_at(b, k + 1 < path.corners.size());
     double& t = path.fraction[i];
     if ((at_a && !a.is_left) || (at_b && !b.is_left)) { t = 0; }
@@ -165,7 +193,8 @@ Pulled_path straighten(const Triangle_surface& s, Sleeve& sleeve, const May_cros
       double around = 0, inside = 0;
       s.for_each_outgoing(v, [&](Index h) { around += corner_angle(s, h); });
       const auto rim = [&](std::size_t i) { return corner.is_left ? path.right[i] : path.left[i]; };
-      inside = angle(corner.at, path.corners[k - 1].at, rim(begin)) + angle(corner.at, path.corners[k + 1].at, rim(end - 1));
+      inside =
+        angle(corner.at, path.corners[k - 1].at, rim(begin)) + angle(corner.at, path.corners[k + 1].at, rim(end - 1));
       for (std::size_t i = begin; i + 1 < end; ++i) { inside += angle(corner.at, rim(i), rim(i + 1)); }
       if (around - inside >= straight) { continue; }
       // The way round the other side.
@@ -200,7 +229,8 @@ Pulled_path straighten(const Triangle_surface& s, Sleeve& sleeve, const May_cros
 
 // The curve of a sleeve's shortest path. It passes through free vertices where it bends, and beside the others.
 template <class May_cross, class Is_free>
-Surface_curve shortest_curve(const Triangle_surface& s, Sleeve& sleeve, const May_cross& may_cross, const Is_free& is_free)
+Surface_curve shortest_curve(const Triangle_surface& s, Sleeve& sleeve, const May_cross& may_cross,
+                             const Is_free& is_free)
 {
   constexpr double beside = 0.2;
   Surface_curve curve;

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_CURVES_SNAP_TO_EDGES_H
 #define MERIDIAN_CURVES_SNAP_TO_EDGES_H
 
-#include <meridian/surface/Surface_curve.h>
 #include <meridian/base/list_elements.h>
+#include <meridian/surface/Surface_curve.h>
 
 #include <limits>
 #include <tuple>
@@ -14,21 +14,23 @@ namespace internal {
 
 // Moves the crossings of disjoint closed curves to the ends of their edges, one curve after the other.
 //
-// Each point of a curve has places: a vertex has itself, a crossing the two ends of its edge, and where it is. A curve takes one place for
-// each of its points; points next to each other in the same vertex become one visit of it. From one place to the next it goes
-// through the face that both points are on, whose vertices are all joined by edges. Why this keeps curves simple, disjoint and homotopic:
+// Each point of a curve has places: a vertex has itself, a crossing the two ends of its edge, and where it is. A curve
+// takes one place for each of its points; points next to each other in the same vertex become one visit of it. From one
+// place to the next it goes through the face that both points are on, whose vertices are all joined by edges. Why this
+// keeps curves simple, disjoint and homotopic:
 //
-// - Homotopic: unroll the cyclic strip of faces of a curve to an annulus. The new curve goes round that once, as the old one does, and
-//   the annulus maps to the surface.
-// - In vertices: no vertex is visited twice, by one curve or two. That is checked, as one strip may meet a vertex several times.
-//   Curves of edges alone are simple and disjoint by that.
-// - Through faces: a crossing goes to an end of its edge only if none, of any curve, lies between on that edge. Chords of a face that
-//   do not cross have ends that do not alternate along its rim; moving an end along the rim, past no other end, does not change that.
-//   Ends that meet in a vertex belong to one visit. So no edge that a curve comes to follow is crossed: such a crossing would have a chord
-//   in the face, with an end between a moved crossing and where it went, or alternating with the old chord.
+// - Homotopic: unroll the cyclic strip of faces of a curve to an annulus. The new curve goes round that once, as the
+// old one does, and the annulus maps to the surface.
+// - In vertices: no vertex is visited twice, by one curve or two. That is checked, as one strip may meet a vertex
+// several times. Curves of edges alone are simple and disjoint by that.
+// - Through faces: a crossing goes to an end of its edge only if none, of any curve, lies between on that edge. Chords
+// of a face that do not cross have ends that do not alternate along its rim; moving an end along the rim, past no other
+// end, does not change that. Ends that meet in a vertex belong to one visit. So no edge that a curve comes to follow is
+// crossed: such a crossing would have a chord in the face, with an end between a moved crossing and where it went, or
+// alternating with the old chord.
 //
-// Crossings of curves moved before need no look at where they are now: one that lay between could only go to the end in question, which
-// is then taken, or stay.
+// Crossings of curves moved before need no look at where they are now: one that lay between could only go to the end in
+// question, which is then taken, or stay.
 class Edge_snapper
 {
 public:
@@ -36,7 +38,12 @@ public:
   Edge_snapper(const Triangle_surface& s, const std::vector<Surface_curve>& curves, bool keeps)
     : m_surface(s), m_curves(curves), m_keeps(keeps), m_owner(s.number_of_vertices(), -1), m_is_last(curves.size())
   {
-    struct Point_on_edge { Index edge; double t; std::size_t curve, point; };
+    struct Point_on_edge
+    {
+      Index edge;
+      double t;
+      std::size_t curve, point;
+    };
     std::vector<Point_on_edge> crossings;
     for (std::size_t c = 0; c < curves.size(); ++c)
     {
@@ -46,7 +53,10 @@ public:
         const Curve_point& p = curves[c].points[i];
         if (p.is_vertex())
         {
-          if (m_owner[p.vertex] >= 0) { throw Invalid_input_error("snap_to_edges: curves pass twice through vertex " + std::to_string(p.vertex)); }
+          if (m_owner[p.vertex] >= 0)
+          {
+            throw Invalid_input_error("snap_to_edges: curves pass twice through vertex " + std::to_string(p.vertex));
+          }
           m_owner[p.vertex] = static_cast<Index>(c);
         }
         else { crossings.push_back({s.edge(p.halfedge), s.edge(p.halfedge) == p.halfedge ? p.t : 1 - p.t, c, i}); }
@@ -76,30 +86,44 @@ public:
       for (int end = 0; end < 2 && !points[i].is_vertex(); ++end)
       {
         const Index v = end_of(points[i], end);
-        allowed[i][end] = m_is_last[c][i][end] && !m_surface.is_boundary_vertex(v) && (m_owner[v] < 0 || m_owner[v] == static_cast<Index>(c));
+        allowed[i][end] = m_is_last[c][i][end] && !m_surface.is_boundary_vertex(v)
+                          && (m_owner[v] < 0 || m_owner[v] == static_cast<Index>(c));
       }
     if (!search(c, allowed, snapped, stuck)) { return false; }
-    for (const Curve_point& p : snapped.points) { if (p.is_vertex()) { m_owner[p.vertex] = static_cast<Index>(c); } }
+    for (const Curve_point& p : snapped.points)
+    {
+      if (p.is_vertex()) { m_owner[p.vertex] = static_cast<Index>(c); }
+    }
     return true;
   }
 
 private:
   static constexpr int most_tries = 500;
-  enum : int { STAY = 2 }; // the places of a crossing: 0 and 1 for the source and target of its halfedge
+  enum : int
+  {
+    STAY = 2
+  }; // the places of a crossing: 0 and 1 for the source and target of its halfedge
 
-  Index end_of(const Curve_point& p, int end) const { return end == 0 ? m_surface.source(p.halfedge) : m_surface.target(p.halfedge); }
+  Index end_of(const Curve_point& p, int end) const
+  {
+    return end == 0 ? m_surface.source(p.halfedge) : m_surface.target(p.halfedge);
+  }
   std::pair<Index, Index> edge_of(const Curve_point& p) const { return std::minmax({end_of(p, 0), end_of(p, 1)}); }
-  Index vertex_at(const Curve_point& p, int place) const { return p.is_vertex() ? p.vertex : place == STAY ? -1 : end_of(p, place); }
+  Index vertex_at(const Curve_point& p, int place) const
+  {
+    return p.is_vertex() ? p.vertex : place == STAY ? -1 : end_of(p, place);
+  }
 
   struct Cost
   {
-    Index kept = 0;     // crossings that stay, first of all
+    Index kept = 0; // crossings that stay, first of all
     double length = 0;
     bool operator<(const Cost& o) const { return std::tie(kept, length) < std::tie(o.kept, o.length); }
   };
 
-  // The shortest choice of a place for each point; empty if a point has none. Every vertex is joined to every other by edges of the
-  // face between, so a choice exists if each point has a vertex; and staying is always possible, with all neighbours that do.
+  // The shortest choice of a place for each point; empty if a point has none. Every vertex is joined to every other by
+  // edges of the face between, so a choice exists if each point has a vertex; and staying is always possible, with all
+  // neighbours that do.
   std::vector<int> choose(std::size_t c, const std::vector<std::array<char, 2>>& allowed) const
   {
     const auto& points = m_curves[c].points;
@@ -112,11 +136,13 @@ private:
       const Index v = vertex_at(points[i], place);
       return v >= 0 ? m_surface.points[v] : position(m_surface, points[i]);
     };
-    const auto joined = [&](std::size_t i, int p, std::size_t j, int q) { // no moved crossing goes on along the edge of one that stays
+    // no moved crossing goes on along the edge of one that stays
+    const auto joined = [&](std::size_t i, int p, std::size_t j, int q) {
       const Index v = vertex_at(points[i], p), w = vertex_at(points[j], q);
       if ((v < 0) == (w < 0)) { return true; }
       const Curve_point &moved = v < 0 ? points[j] : points[i], &stays = v < 0 ? points[i] : points[j];
-      return moved.is_vertex() || (end_of(stays, 0) != v + w + 1 && end_of(stays, 1) != v + w + 1); // one of the two is -1
+      // one of the two is -1
+      return moved.is_vertex() || (end_of(stays, 0) != v + w + 1 && end_of(stays, 1) != v + w + 1);
     };
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Cost least{0, infinity};
@@ -156,7 +182,11 @@ private:
   }
 
   // A longest stretch of points that went to one vertex, or one that stayed.
-  struct Visit { Index vertex; std::size_t begin, length; };
+  struct Visit
+  {
+    Index vertex;
+    std::size_t begin, length;
+  };
 
   std::vector<Visit> visits_of(std::size_t c, const std::vector<int>& places) const
   {
@@ -174,7 +204,8 @@ private:
     return visits;
   }
 
-  bool search(std::size_t c, std::vector<std::array<char, 2>>& allowed, Surface_curve& snapped, std::vector<std::pair<Index, Index>>& stuck)
+  bool search(std::size_t c, std::vector<std::array<char, 2>>& allowed, Surface_curve& snapped,
+              std::vector<std::pair<Index, Index>>& stuck)
   {
     const auto& points = m_curves[c].points;
     const std::size_t n = points.size();
@@ -186,24 +217,32 @@ private:
       for (const Curve_point& p : points)
       {
         const std::size_t i = static_cast<std::size_t>(&p - points.data());
-        if (!p.is_vertex() && !allowed[i][0] && !allowed[i][1])
-          stuck.push_back(edge_of(p));
+        if (!p.is_vertex() && !allowed[i][0] && !allowed[i][1]) stuck.push_back(edge_of(p));
       }
       return false;
     }
     const std::vector<Visit> visits = visits_of(c, places);
     std::vector<std::pair<Index, std::size_t>> sorted;
-    for (std::size_t i = 0; i < visits.size(); ++i) { if (visits[i].vertex >= 0) { sorted.emplace_back(visits[i].vertex, i); } }
+    for (std::size_t i = 0; i < visits.size(); ++i)
+    {
+      if (visits[i].vertex >= 0) { sorted.emplace_back(visits[i].vertex, i); }
+    }
     std::sort(sorted.begin(), sorted.end());
     std::vector<Visit> rivals; // of which one must go
     for (std::size_t i = 1; i < sorted.size() && rivals.empty(); ++i)
       if (sorted[i].first == sorted[i - 1].first) { rivals = {visits[sorted[i].second], visits[sorted[i - 1].second]}; }
     if (rivals.empty() && visits.size() < 3)
-      for (const Visit& visit : visits) { if (visit.vertex >= 0) { rivals.push_back(visit); } }
+      for (const Visit& visit : visits)
+      {
+        if (visit.vertex >= 0) { rivals.push_back(visit); }
+      }
     if (rivals.empty())
     {
       snapped = Surface_curve{{}, true};
-      for (const Visit& visit : visits) { snapped.points.push_back(visit.vertex >= 0 ? Curve_point::on_vertex(visit.vertex) : points[visit.begin]); }
+      for (const Visit& visit : visits)
+      {
+        snapped.points.push_back(visit.vertex >= 0 ? Curve_point::on_vertex(visit.vertex) : points[visit.begin]);
+      }
       return true;
     }
     for (const Visit& rival : rivals)
@@ -214,13 +253,19 @@ private:
       {
         const std::size_t i = (rival.begin + k) % n;
         is_fixed = is_fixed || points[i].is_vertex();
-        for (int end = 0; end < 2 && !points[i].is_vertex(); ++end) { if (end_of(points[i], end) == rival.vertex) { without[i][end] = 0; } }
+        for (int end = 0; end < 2 && !points[i].is_vertex(); ++end)
+        {
+          if (end_of(points[i], end) == rival.vertex) { without[i][end] = 0; }
+        }
       }
       if (is_fixed && rival.length == 1) { continue; } // the curve goes through the vertex as it is
       if (search(c, without, snapped, stuck)) { return true; }
     }
     if (stuck.empty()) // every way on was tried, or given up
-      for (const Visit& rival : rivals) { if (!points[rival.begin].is_vertex()) { stuck.push_back(edge_of(points[rival.begin])); } }
+      for (const Visit& rival : rivals)
+      {
+        if (!points[rival.begin].is_vertex()) { stuck.push_back(edge_of(points[rival.begin])); }
+      }
     return false;
   }
 
@@ -229,7 +274,8 @@ private:
   bool m_keeps;
   int m_tries = 0;
   std::vector<Index> m_owner; // of each vertex, the curve that has it
-  std::vector<std::vector<std::array<char, 2>>> m_is_last; // of each crossing, whether none lies between it and the source, the target, of its halfedge
+  // of each crossing, whether none lies between it and the source, the target, of its halfedge
+  std::vector<std::vector<std::array<char, 2>>> m_is_last;
 };
 
 } // namespace internal
@@ -239,26 +285,32 @@ private:
  *
  * moves disjoint closed curves onto existing edges.
  *
- * Each crossing of a curve with an edge goes to one of the edge's ends, and the curve along the edges between. All choices together make
- * the shortest such path once round the strip of faces that the curve runs through. Curves are moved in the order given; a vertex that
- * a curve passes is its own from the start. If a curve is stuck for what others took, it is moved before them in a second try.
+ * Each crossing of a curve with an edge goes to one of the edge's ends, and the curve along the edges between. All
+ * choices together make the shortest such path once round the strip of faces that the curve runs through. Curves are
+ * moved in the order given; a vertex that a curve passes is its own from the start. If a curve is stuck for what others
+ * took, it is moved before them in a second try.
  *
  * \param root the surface
  * \param curves closed, simple and disjoint, of points on vertices and inside edges, as from `project_contours()`
- * \param refine_where_needed whether crossings stay inside their edges where curves could not be moved otherwise; as few as can be found for
- *        each curve in turn. The result is then not of edges there, and `insert_curves()` divides the faces
+ * \param refine_where_needed whether crossings stay inside their edges where curves could not be moved otherwise; as
+ *   few as can be found for each curve in turn. The result is then not of edges there, and `insert_curves()` divides
+ *   the faces
  *
- * \returns the curves in their order, each homotopic to the one given, closed, simple, of three edges at least, disjoint from all others; but
- *          for vertices that curves went through before, none is on the boundary
- * \throws Invalid_input_error if a curve cannot be moved onto edges and refining is not allowed; the message names the curve and the edges where
- *         it is stuck. Also if curves share a vertex or are not closed
+ * \returns the curves in their order, each homotopic to the one given, closed, simple, of three edges at least,
+ *          disjoint from all others; but for vertices that curves went through before, none is on the boundary
+ * \throws Invalid_input_error if a curve cannot be moved onto edges and refining is not allowed; the message names the
+ *   curve and the edges where it is stuck. Also if curves share a vertex or are not closed
  * \par Complexity
  * Linear in the crossings for each try, after sorting them
  */
-inline std::vector<Surface_curve> snap_to_edges(const Triangle_surface& root, const std::vector<Surface_curve>& curves, bool refine_where_needed)
+inline std::vector<Surface_curve> snap_to_edges(const Triangle_surface& root, const std::vector<Surface_curve>& curves,
+                                                bool refine_where_needed)
 {
   for (std::size_t c = 0; c < curves.size(); ++c)
-    if (!curves[c].closed || curves[c].points.empty()) { throw Invalid_input_error("snap_to_edges: curve " + std::to_string(c) + " is not closed"); }
+    if (!curves[c].closed || curves[c].points.empty())
+    {
+      throw Invalid_input_error("snap_to_edges: curve " + std::to_string(c) + " is not closed");
+    }
 
   std::vector<std::size_t> order(curves.size());
   for (std::size_t c = 0; c < order.size(); ++c) { order[c] = c; }
@@ -278,15 +330,22 @@ inline std::vector<Surface_curve> snap_to_edges(const Triangle_surface& root, co
       first_stuck = stuck;
     }
     if (done == 0) { break; } // stuck by itself, or by vertices that others have from the start
-    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(done), order.begin() + static_cast<std::ptrdiff_t>(done) + 1);
+    std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(done),
+                order.begin() + static_cast<std::ptrdiff_t>(done) + 1);
   }
   if (!refine_where_needed)
-    throw Invalid_input_error("curve " + std::to_string(first_failed) + " cannot be moved onto edges of the mesh: it is stuck at "
-                              + internal::list_elements("edges, by their vertices, at whose ends other curves or the boundary are in the way", first_stuck)
-                              + ". The mesh is too coarse there for disjoint loops of edges; refining it there helps (option --refine-where-needed)");
+    throw Invalid_input_error(
+      "curve " + std::to_string(first_failed) + " cannot be moved onto edges of the mesh: it is stuck at "
+      + internal::list_elements("edges, by their vertices, at whose ends other curves or the boundary are in the way",
+                                first_stuck)
+      + ". The mesh is too coarse there for disjoint loops of edges; refining it there helps (option "
+        "--refine-where-needed)");
   internal::Edge_snapper snapper(root, curves, true);
   for (std::size_t c = 0; c < curves.size(); ++c)
-    if (!snapper.snap(c, snapped[c], stuck)) { throw Internal_error("snap_to_edges: curve " + std::to_string(c) + " cannot even stay where it is"); }
+    if (!snapper.snap(c, snapped[c], stuck))
+    {
+      throw Internal_error("snap_to_edges: curve " + std::to_string(c) + " cannot even stay where it is");
+    }
   return snapped;
 }
 

@@ -13,7 +13,8 @@ namespace meridian {
 /// what `tighten_curves()` may do.
 struct Tighten_options
 {
-  double least_gain = 1e-4;             ///< a round or pass that shortens by less than this part of the length is the last
+  /// a round or pass that shortens by less than this part of the length is the last
+  double least_gain = 1e-4;
   int rounds = 20, passes = 200;        ///< at most: through all curves; moves of one curve in one round
   std::function<void(double)> progress; ///< told how much is done, from 0 to 1; may throw to end the run
 };
@@ -23,15 +24,22 @@ namespace internal {
 // A curve pulled tight in the strip of faces it runs through.
 struct Taut_curve
 {
-  struct Bend { Index vertex; bool is_left; std::size_t begin, size; }; // at the vertex that `size` crossings from `begin` on share
+  // at the vertex that `size` crossings from `begin` on share
+  struct Bend
+  {
+    Index vertex;
+    bool is_left;
+    std::size_t begin, size;
+  };
   std::vector<double> fraction; // where it crosses each halfedge
   std::vector<Bend> bends;      // that are shorter on the other side of their vertex
   double length = 0;
 };
 
-// Appends the bends of a pulled path at vertices inside the surface. Of a closed curve the strip is several turns long: `period` crossings
-// are one turn, and bends are taken from the turn that begins at `from`.
-inline void find_bends(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_path& path, std::size_t from, std::size_t period, bool closed, Taut_curve& curve)
+// Appends the bends of a pulled path at vertices inside the surface. Of a closed curve the strip is several turns long:
+// `period` crossings are one turn, and bends are taken from the turn that begins at `from`.
+inline void find_bends(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_path& path, std::size_t from,
+                       std::size_t period, bool closed, Taut_curve& curve)
 {
   constexpr double straight = 3.141592653589793 - 1e-6;
   for (std::size_t k = 1; k + 1 < path.corners.size(); ++k)
@@ -40,17 +48,25 @@ inline void find_bends(const Triangle_surface& s, const Sleeve& sleeve, const Pu
     if (corner.portal < from || corner.portal >= from + period || s.is_boundary_vertex(corner.vertex)) { continue; }
     std::size_t begin = corner.portal, end = corner.portal + 1;
     while (begin > 0 && end - begin < period && touches(s, sleeve.halfedges[begin - 1], corner.vertex)) { --begin; }
-    while (end < sleeve.halfedges.size() && end - begin < period && touches(s, sleeve.halfedges[end], corner.vertex)) { ++end; }
+    while (end < sleeve.halfedges.size() && end - begin < period && touches(s, sleeve.halfedges[end], corner.vertex))
+    {
+      ++end;
+    }
     if (closed && (end - begin >= period || begin == 0 || end == sleeve.halfedges.size())) { continue; }
     const auto rim = [&](std::size_t i) { return corner.is_left ? path.right[i] : path.left[i]; };
-    double around = 0, inside = angle(corner.at, path.corners[k - 1].at, rim(begin)) + angle(corner.at, path.corners[k + 1].at, rim(end - 1));
+    double around = 0, inside = angle(corner.at, path.corners[k - 1].at, rim(begin))
+                                + angle(corner.at, path.corners[k + 1].at, rim(end - 1));
     for (std::size_t i = begin; i + 1 < end; ++i) { inside += angle(corner.at, rim(i), rim(i + 1)); }
     s.for_each_outgoing(corner.vertex, [&](Index h) { around += corner_angle(s, h); });
-    if (around - inside < straight) { curve.bends.push_back({corner.vertex, corner.is_left, begin % period, end - begin}); }
+    if (around - inside < straight)
+    {
+      curve.bends.push_back({corner.vertex, corner.is_left, begin % period, end - begin});
+    }
   }
 }
 
-// The strip of a closed curve is unrolled several times over and pulled between its far ends; the middle turn is what is wanted.
+// The strip of a closed curve is unrolled several times over and pulled between its far ends; the middle turn is what
+// is wanted.
 inline Taut_curve pull_loop(const Triangle_surface& s, const std::vector<Index>& halfedges)
 {
   constexpr std::size_t turns = 5, middle = 2;
@@ -58,7 +74,10 @@ inline Taut_curve pull_loop(const Triangle_surface& s, const std::vector<Index>&
   Sleeve sleeve;
   sleeve.start = s.apex(halfedges.front());
   sleeve.end = s.apex(s.opposite[halfedges.back()]);
-  for (std::size_t i = 0; i < turns; ++i) { sleeve.halfedges.insert(sleeve.halfedges.end(), halfedges.begin(), halfedges.end()); }
+  for (std::size_t i = 0; i < turns; ++i)
+  {
+    sleeve.halfedges.insert(sleeve.halfedges.end(), halfedges.begin(), halfedges.end());
+  }
   const Pulled_path path = pull(s, sleeve);
   Taut_curve loop;
   loop.fraction.assign(path.fraction.begin() + middle * n, path.fraction.begin() + (middle + 1) * n);
@@ -91,8 +110,8 @@ inline Taut_curve pull_open(const Triangle_surface& s, const Sleeve& sleeve)
   return curve;
 }
 
-// Moves a curve over a vertex that a run of its crossings goes round. No other curve may be in the way or end there but its
-// partner, with whom it must go on to cross as often.
+// Moves a curve over a vertex that a run of its crossings goes round. No other curve may be in the way or end there but
+// its partner, with whom it must go on to cross as often.
 inline bool move_over(Normal_curves& curves, const std::vector<Index>& run, Index vertex, bool is_left)
 {
   const Triangle_surface& s = curves.surface();
@@ -123,8 +142,15 @@ inline bool move_over(Normal_curves& curves, const std::vector<Index>& run, Inde
   if (curves.is_open(c)) // next to an end, what only leads round it is left out
   {
     const auto touches_end = [&](Index h, bool is_last) { return touches(s, h, curves.vertex({c, is_last})); };
-    if (curves[run.front()].prev < 0) { detour.erase(detour.begin(), std::find_if(detour.begin(), detour.end(), [&](Index h) { return !touches_end(h, false); })); }
-    if (curves[run.back()].next < 0) { while (!detour.empty() && touches_end(detour.back(), true)) { detour.pop_back(); } }
+    if (curves[run.front()].prev < 0)
+    {
+      detour.erase(detour.begin(),
+                   std::find_if(detour.begin(), detour.end(), [&](Index h) { return !touches_end(h, false); }));
+    }
+    if (curves[run.back()].next < 0)
+    {
+      while (!detour.empty() && touches_end(detour.back(), true)) { detour.pop_back(); }
+    }
   }
   // Away from where the partners cross, nothing changes between them.
   bool is_at_meeting = false;
@@ -137,7 +163,10 @@ inline bool move_over(Normal_curves& curves, const std::vector<Index>& run, Inde
   {
     if (passes_partner) { return false; }
     curves.reroute(run.front(), run.back(), detour, !is_left);
-    for (bool is_last : {false, true}) { if (curves.is_open(c) && curves.nearest({c, is_last}) >= 0) { curves.trim({c, is_last}); } }
+    for (bool is_last : {false, true})
+    {
+      if (curves.is_open(c) && curves.nearest({c, is_last}) >= 0) { curves.trim({c, is_last}); }
+    }
     return true;
   }
   Normal_curves::Trial trial(curves);
@@ -170,7 +199,8 @@ inline double tighten_curve(Normal_curves& curves, Index c, const Tighten_option
     if (crossings.empty()) { return s.length(curves.edge_along(c)); }
     std::vector<Index> halfedges;
     for (Index x : crossings) { halfedges.push_back(curves[x].halfedge); }
-    const Taut_curve loop = open ? pull_open(s, {curves.vertex({c, false}), curves.vertex({c, true}), halfedges}) : pull_loop(s, halfedges);
+    const Taut_curve loop =
+      open ? pull_open(s, {curves.vertex({c, false}), curves.vertex({c, true}), halfedges}) : pull_loop(s, halfedges);
     const std::size_t n = crossings.size();
     for (std::size_t i = 0; i < n; ++i)
       curves.move(crossings[i], s.edge(halfedges[i]) == halfedges[i] ? loop.fraction[i] : 1 - loop.fraction[i]);
@@ -205,10 +235,10 @@ inline double tighten_curve(Normal_curves& curves, Index c, const Tighten_option
  *
  * shortens curves within their homotopy classes.
  *
- * Each curve in turn is pulled tight in the strip of faces that it runs through (Lee, Preparata 1984) and moved over vertices
- * where it bends and the other side is shorter (Xin, Wang 2007), until no pass over all curves gains more than the least gain.
- * A curve is never moved over another, and two partners go on to cross as often as before: that is read from the orders on
- * edges alone. So disjoint curves stay disjoint, and simple ones simple.
+ * Each curve in turn is pulled tight in the strip of faces that it runs through (Lee, Preparata 1984) and moved over
+ * vertices where it bends and the other side is shorter (Xin, Wang 2007), until no pass over all curves gains more than
+ * the least gain. A curve is never moved over another, and two partners go on to cross as often as before: that is read
+ * from the orders on edges alone. So disjoint curves stay disjoint, and simple ones simple.
  *
  * \param curves the curves; their crossings are replaced and placed
  * \param options see there

@@ -3,21 +3,21 @@
 #define MERIDIAN_CUT_CUT_TO_DISC_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/curves/project_contours.h>
+#include <meridian/curves/snap_to_edges.h>
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/cut/edge_cuts_near.h>
-#include <meridian/handles/find_generators.h>
-#include <meridian/field/geodesic_distance.h>
 #include <meridian/cut/join_generators.h>
 #include <meridian/cut/link_boundaries.h>
 #include <meridian/cut/link_on_edges.h>
-#include <meridian/surface/open_along.h>
-#include <meridian/field/order_surface.h>
 #include <meridian/cut/planar_links.h>
-#include <meridian/curves/project_contours.h>
-#include <meridian/surface/seam_paths.h>
-#include <meridian/handles/select_meridians.h>
 #include <meridian/cut/shorten_cut_graph.h>
-#include <meridian/curves/snap_to_edges.h>
+#include <meridian/field/geodesic_distance.h>
+#include <meridian/field/order_surface.h>
+#include <meridian/handles/find_generators.h>
+#include <meridian/handles/select_meridians.h>
+#include <meridian/surface/open_along.h>
+#include <meridian/surface/seam_paths.h>
 
 #include <string>
 
@@ -54,7 +54,10 @@ enum class Tightening
 
 /// \ingroup PkgMeridianCut
 /// \returns the name of a tightening as it stands in reports
-inline const char* name_of(Tightening t) { return t == Tightening::NONE ? "no" : t == Tightening::CURVES ? "curves" : "graph"; }
+inline const char* name_of(Tightening t)
+{
+  return t == Tightening::NONE ? "no" : t == Tightening::CURVES ? "curves" : "graph";
+}
 
 /// \ingroup PkgMeridianCut
 /// \returns the name of a method as it stands in reports
@@ -82,11 +85,13 @@ struct Cut_options : Field_options
   Levels levels = Levels::SADDLE;
   Tightening tightening = Tightening::CURVES;
   Tighten_options tighten_options;
-  bool on_edges = false;            ///< whether only edges of the surface are cut, so that there are no new vertices: meridians of contours
-                                    ///< are moved onto edges; for other curves, and with `GRAPH`, a cut graph of edges close by is taken
+  /// whether only edges of the surface are cut, so that there are no new vertices: meridians of contours are moved onto
+  /// edges; for other curves, and with `GRAPH`, a cut graph of edges close by is taken
+  bool on_edges = false;
   bool refine_where_needed = false; ///< with `on_edges`: divide edges where meridians cannot be moved onto them
-  Index source = -1;                ///< with `Cut_method::GEODESIC`: where distances begin, or -1; with `TREE_COTREE`: the base point
-  int bases = 16;                   ///< with `TREE_COTREE` and no source: how many base points are tried
+  /// with `Cut_method::GEODESIC`: where distances begin, or -1; with `TREE_COTREE`: the base point
+  Index source = -1;
+  int bases = 16; ///< with `TREE_COTREE` and no source: how many base points are tried
   Link_domain link_domain = Link_domain::SURFACE;
   Link_options links;
   Progress_observer* observer = nullptr;
@@ -96,28 +101,29 @@ struct Cut_options : Field_options
 /// a cut graph of one connected surface, and what was counted on the way.
 struct Disc_cut : Field_summary
 {
-  Refined_surface surface;                       ///< the input, refined; the cut graph is its seam
-  Opened_surface opened;                         ///< the disc
-  std::vector<std::vector<Index>> meridians;     ///< closed, as vertices of `surface`, the most preferred first
-  std::vector<std::vector<Index>> longitudes;    ///< closed, of the same handles; with `Cut_method::GENERATORS`
-  std::vector<std::vector<Index>> flow_lines;    ///< open; with `Cut_method::MORSE`
-  std::vector<std::vector<Index>> links;         ///< open, as vertices of `surface`
-  std::vector<std::vector<Index>> paths;         ///< open: the graph's paths, where they are none of these: with methods that cut edges
-                                                 ///< and with `Tightening::GRAPH`
-  std::vector<Meridian_choice> choices;          ///< the count after each meridian
-  std::vector<Index> saddles;                    ///< for each meridian, a vertex of its saddle
+  Refined_surface surface;                    ///< the input, refined; the cut graph is its seam
+  Opened_surface opened;                      ///< the disc
+  std::vector<std::vector<Index>> meridians;  ///< closed, as vertices of `surface`, the most preferred first
+  std::vector<std::vector<Index>> longitudes; ///< closed, of the same handles; with `Cut_method::GENERATORS`
+  std::vector<std::vector<Index>> flow_lines; ///< open; with `Cut_method::MORSE`
+  std::vector<std::vector<Index>> links;      ///< open, as vertices of `surface`
+  /// open: the graph's paths, where they are none of these: with methods that cut edges and with `Tightening::GRAPH`
+  std::vector<std::vector<Index>> paths;
+  std::vector<Meridian_choice> choices; ///< the count after each meridian
+  std::vector<Index> saddles;           ///< for each meridian, a vertex of its saddle
   int genus = 0, boundary_loops = 0;
   bool links_in_plane = false;
-  std::string link_note;                         ///< why links were not taken through the plane, if asked for
-  double length = 0;                             ///< of the seams
-  double length_found = 0;                       ///< before the graph was tightened
+  std::string link_note;   ///< why links were not taken through the plane, if asked for
+  double length = 0;       ///< of the seams
+  double length_found = 0; ///< before the graph was tightened
   double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
   Stage_times seconds;
 };
 
 namespace internal {
 
-inline void cut_along_contours(const Triangle_surface& root, const Ordered_surface& m, const Cut_options& options, const Stage_runner& run, Disc_cut& cut)
+inline void cut_along_contours(const Triangle_surface& root, const Ordered_surface& m, const Cut_options& options,
+                               const Stage_runner& run, Disc_cut& cut)
 {
   Meridian_search search;
   run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
@@ -134,23 +140,34 @@ inline void cut_along_contours(const Triangle_surface& root, const Ordered_surfa
       Tighten_options tightening = options.tighten_options;
       tightening.progress = [&](double done) { run.progress(Stage::TIGHTEN, done); };
       tighten_curves(curves, tightening);
-      for (Index crossings : curves.count_crossings()) { if (crossings > 0) { throw Internal_error("cut_to_disc: two meridians cross"); } }
+      for (Index crossings : curves.count_crossings())
+      {
+        if (crossings > 0) { throw Internal_error("cut_to_disc: two meridians cross"); }
+      }
       meridians = place_normal_curves(curves);
     });
   run(Stage::INSERT, [&] {
     if (options.tightening == Tightening::NONE) { meridians = project_contours(root, m, search.chosen()); }
-    if (options.on_edges && options.tightening != Tightening::GRAPH) { meridians = snap_to_edges(root, meridians, options.refine_where_needed); }
+    if (options.on_edges && options.tightening != Tightening::GRAPH)
+    {
+      meridians = snap_to_edges(root, meridians, options.refine_where_needed);
+    }
     cut.meridians = insert_curves(root, cut.surface, meridians).vertices;
   });
 }
 
 // Cuts edges alone, of a surface that is no disc and no closed sphere already.
-inline void cut_along_edges(const Triangle_surface& root, const Cut_options& options, const Stage_runner& run, Disc_cut& cut)
+inline void cut_along_edges(const Triangle_surface& root, const Cut_options& options, const Stage_runner& run,
+                            Disc_cut& cut)
 {
   run(Stage::MERIDIANS, [&] {
     if (options.method == Cut_method::GEOMETRY_IMAGE) { flag_seam(cut.surface, cut_by_removing_faces(root)); }
     else if (options.source >= 0) { flag_seam(cut.surface, cut_by_tree_cotree(root, options.source)); }
-    else { flag_seam(cut.surface, find_short_tree_cotree_cut(root, options.bases, [&](double done) { run.progress(Stage::MERIDIANS, done); })); }
+    else
+    {
+      flag_seam(cut.surface, find_short_tree_cotree_cut(root, options.bases,
+                                                        [&](double done) { run.progress(Stage::MERIDIANS, done); }));
+    }
   });
   cut.paths = seam_paths(cut.surface);
 }
@@ -167,12 +184,16 @@ inline void open_cut(Disc_cut& cut)
 inline double seam_length(const Refined_surface& s)
 {
   double sum = 0;
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { if (s.seam[h] && s.edge(h) == h) { sum += s.length(h); } }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.seam[h] && s.edge(h) == h) { sum += s.length(h); }
+  }
   return sum;
 }
 
 // Makes the whole graph shorter, or moves it onto edges.
-inline void reshape_graph(const Triangle_surface& root, const Cut_options& options, const Stage_runner& run, Disc_cut& cut)
+inline void reshape_graph(const Triangle_surface& root, const Cut_options& options, const Stage_runner& run,
+                          Disc_cut& cut)
 {
   const bool is_on_edges = cut.surface.origins.empty();
   const bool is_sphere = cut.genus == 0 && cut.boundary_loops == 0; // opened along one shortest path
@@ -181,7 +202,8 @@ inline void reshape_graph(const Triangle_surface& root, const Cut_options& optio
   run(Stage::SHORTEN, [&] {
     Refined_surface s(root);
     std::vector<Index> edges = cut_of_edges_near(root, cut.surface, shorten ? 0 : 5);
-    if (shorten) { edges = straighten_edge_cut(root, edges, Path_ends::SLIDE, options.on_edges ? 5 : 3); } // fast, and a better beginning
+    // fast, and a better beginning
+    if (shorten) { edges = straighten_edge_cut(root, edges, Path_ends::SLIDE, options.on_edges ? 5 : 3); }
     flag_seam(s, edges);
     cut.paths = seam_paths(s);
     if (!options.on_edges)
@@ -198,8 +220,8 @@ inline void reshape_graph(const Triangle_surface& root, const Cut_options& optio
 }
 
 template <class SymmetricTraits, class GeneralTraits>
-std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m, const Cut_options& options,
-                                                    const Stage_runner& run, Disc_cut& cut)
+std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m,
+                                             const Cut_options& options, const Stage_runner& run, Disc_cut& cut)
 {
   Generators g;
   g.genus = cut.genus;
@@ -221,16 +243,23 @@ std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const
   }
   cut.surface = std::move(g.surface);
   std::vector<Link_guide> guides;
-  if (options.join != Generator_join::SURFACE) { run(Stage::FLOW, [&] { guides = guide_joins(m, make_morse_complex(m), saddles, shared, options.join); }); }
+  if (options.join != Generator_join::SURFACE)
+  {
+    run(Stage::FLOW, [&] { guides = guide_joins(m, make_morse_complex(m), saddles, shared, options.join); });
+  }
   return guides;
 }
 
-inline void cut_along_flow_lines(const Triangle_surface& root, const Ordered_surface& m, const Stage_runner& run, Disc_cut& cut)
+inline void cut_along_flow_lines(const Triangle_surface& root, const Ordered_surface& m, const Stage_runner& run,
+                                 Disc_cut& cut)
 {
   run(Stage::FLOW, [&] {
     const auto critical = find_critical_points(m.surface, m.rank);
     Flow_tracer tracer(m, true, critical);
-    for (const Critical_point& p : critical) { if (p.kind == Critical_kind::SADDLE) { tracer.trace(p.vertex); } }
+    for (const Critical_point& p : critical)
+    {
+      if (p.kind == Critical_kind::SADDLE) { tracer.trace(p.vertex); }
+    }
     std::vector<Surface_curve> curves;
     for (const Flow_line& line : tracer.lines()) { curves.push_back(line.curve); }
     cut.surface = m.surface;
@@ -246,8 +275,8 @@ inline void cut_along_flow_lines(const Triangle_surface& root, const Ordered_sur
  * cuts a connected surface into a disc along smooth curves (Patane 2007, section 3).
  *
  * A harmonic field is ordered, simplified and unfolded; of its saddles' contours as many as there are handles are cut
- * as meridians (or generators, or the flow lines of all saddles); the boundaries that this leaves are joined by a tree of links. Other
- * methods find a cut graph of edges. The graph may then be made shorter. A disc stays as it is.
+ * as meridians (or generators, or the flow lines of all saddles); the boundaries that this leaves are joined by a tree
+ * of links. Other methods find a cut graph of edges. The graph may then be made shorter. A disc stays as it is.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
  *         mean-value weights
@@ -256,8 +285,8 @@ inline void cut_along_flow_lines(const Triangle_surface& root, const Ordered_sur
  *
  * \returns the cut, which is topologically right however bad the shape of the faces is
  * \pre `root` is connected
- * \throws Invalid_input_error if minima and maxima coincide, or if only edges shall be cut and the mesh is too coarse; Solver_error if the field cannot be solved, Cancelled if the
- *         observer says so, Internal_error if an invariant broke
+ * \throws Invalid_input_error if minima and maxima coincide, or if only edges shall be cut and the mesh is too coarse;
+ *   Solver_error if the field cannot be solved, Cancelled if the observer says so, Internal_error if an invariant broke
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */
@@ -294,7 +323,9 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
     {
     case Cut_method::GEODESIC:
     case Cut_method::CONTOURS: internal::cut_along_contours(root, m, options, run, cut); break;
-    case Cut_method::GENERATORS: guides = internal::cut_along_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, cut); break;
+    case Cut_method::GENERATORS:
+      guides = internal::cut_along_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, cut);
+      break;
     case Cut_method::MORSE: internal::cut_along_flow_lines(root, m, run, cut); break;
     default: break;
     }

@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_CUT_EDGE_CUTS_H
 #define MERIDIAN_CUT_EDGE_CUTS_H
 
-#include <meridian/surface/Refined_surface.h>
 #include <meridian/cut/internal/edge_trees.h>
 #include <meridian/cut/internal/straighten_paths.h>
+#include <meridian/surface/Refined_surface.h>
 
 #include <functional>
 #include <string>
@@ -25,7 +25,9 @@ enum class Path_ends
 /// \param s the surface
 /// \param edges a halfedge of each, none on the boundary
 inline void flag_seam(Refined_surface& s, const std::vector<Index>& edges)
-{ for (Index h : edges) { s.seam[h] = s.seam[s.opposite[h]] = 1; } }
+{
+  for (Index h : edges) { s.seam[h] = s.seam[s.opposite[h]] = 1; }
+}
 
 /// \ingroup PkgMeridianCut
 /// \returns the length of some edges together
@@ -40,16 +42,25 @@ namespace internal {
 
 // The tree of shortest ways along edges from `base`; the boundary costs nothing.
 inline Edge_tree seam_tree(const Triangle_surface& s, Index base)
-{ return grow_edge_tree(s, {{0., base}}, [&](Index h) { return s.opposite[h] < 0 ? 0. : s.length(h); }); }
+{
+  return grow_edge_tree(s, {{0., base}}, [&](Index h) { return s.opposite[h] < 0 ? 0. : s.length(h); });
+}
 
 inline std::vector<Index> close_tree_to_cut(const Triangle_surface& s, const Edge_tree& tree)
 {
   std::vector<char> is_in_tree(s.number_of_halfedges(), 0);
-  for (Index h : tree.by) { if (h >= 0) { is_in_tree[s.edge(h)] = 1; } }
-  // The loops, the longest first; then the tree, from far out: of two ways to one boundary loop that are equally long, one must be crossed.
+  for (Index h : tree.by)
+  {
+    if (h >= 0) { is_in_tree[s.edge(h)] = 1; }
+  }
+  // The loops, the longest first; then the tree, from far out: of two ways to one boundary loop that are equally long,
+  // one must be crossed.
   std::vector<std::tuple<bool, double, Index>> loops;
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
-    if (s.opposite[h] > h) { loops.emplace_back(is_in_tree[h], -(tree.distance[s.source(h)] + tree.distance[s.target(h)] + s.length(h)), h); }
+    if (s.opposite[h] > h)
+    {
+      loops.emplace_back(is_in_tree[h], -(tree.distance[s.source(h)] + tree.distance[s.target(h)] + s.length(h)), h);
+    }
   std::sort(loops.begin(), loops.end());
   std::vector<Index> order;
   for (const auto& loop : loops) { order.push_back(std::get<Index>(loop)); }
@@ -61,7 +72,8 @@ inline std::vector<Index> close_tree_to_cut(const Triangle_surface& s, const Edg
 inline void check_index(const char* function, const char* what, Index i, Index size)
 {
   if (i < 0 || i >= size)
-    throw Invalid_input_error(std::string(function) + ": there is no " + what + " " + std::to_string(i) + "; the surface has " + std::to_string(size));
+    throw Invalid_input_error(std::string(function) + ": there is no " + what + " " + std::to_string(i)
+                              + "; the surface has " + std::to_string(size));
 }
 
 } // namespace internal
@@ -69,14 +81,14 @@ inline void check_index(const char* function, const char* what, Index i, Index s
 /*!
  * \ingroup PkgMeridianCut
  *
- * \returns a cut graph of edges from the shortest loops at a base point (Erickson, Whittlesey 2005, "Greedy optimal homotopy and
- *          homology generators")
+ * \returns a cut graph of edges from the shortest loops at a base point (Erickson, Whittlesey 2005, "Greedy optimal
+ *          homotopy and homology generators")
  *
- * Shortest ways along edges from the base make a tree. Each other edge closes a loop with it, over the ways to its two ends. A
- * spanning tree of the faces crosses those with the longest loops; what it leaves beside the vertices' tree has the shortest. What
- * dangles is taken off. Going along the boundary costs nothing, as that is no seam; so boundary loops are joined to the graph
- * by shortest ways from the base, and every genus and number of loops is one case. On a closed sphere
- * it is the way to the vertex farthest from the base, of two edges at least.
+ * Shortest ways along edges from the base make a tree. Each other edge closes a loop with it, over the ways to its two
+ * ends. A spanning tree of the faces crosses those with the longest loops; what it leaves beside the vertices' tree has
+ * the shortest. What dangles is taken off. Going along the boundary costs nothing, as that is no seam; so boundary
+ * loops are joined to the graph by shortest ways from the base, and every genus and number of loops is one case. On a
+ * closed sphere it is the way to the vertex farthest from the base, of two edges at least.
  *
  * \param s the surface
  * \param base the vertex that all loops come from
@@ -90,16 +102,18 @@ inline void check_index(const char* function, const char* what, Index i, Index s
 inline std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base)
 {
   internal::check_index("cut_by_tree_cotree", "vertex", base, s.number_of_vertices());
-  return internal::is_sphere(s) ? internal::cut_sphere(s, base) : internal::close_tree_to_cut(s, internal::seam_tree(s, base));
+  return internal::is_sphere(s) ? internal::cut_sphere(s, base)
+                                : internal::close_tree_to_cut(s, internal::seam_tree(s, base));
 }
 
 /*!
  * \ingroup PkgMeridianCut
  *
- * \returns the shortest of the cut graphs that `cut_by_tree_cotree()` finds from several vertices; of equal ones the first
+ * \returns the shortest of the cut graphs that `cut_by_tree_cotree()` finds from several vertices; of equal ones the
+ *          first
  *
- * The first base is far out; each further one is the vertex farthest from those before (Gonzalez 1985), the lowest of equals. A closed
- * sphere has one cut, between two vertices far apart.
+ * The first base is far out; each further one is the vertex farthest from those before (Gonzalez 1985), the lowest of
+ * equals. A closed sphere has one cut, between two vertices far apart.
  *
  * \param s the surface
  * \param bases how many base points; from the number of vertices on, all are taken
@@ -111,9 +125,14 @@ inline std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index ba
  * \par Complexity
  * \f$ O(n \log n) \f$ for each base
  */
-inline std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases = 16, const std::function<void(double)>& progress = {})
+inline std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases = 16,
+                                                     const std::function<void(double)>& progress = {})
 {
-  if (bases < 1) { throw Invalid_input_error("find_short_tree_cotree_cut: " + std::to_string(bases) + " base points were asked for; one is the least"); }
+  if (bases < 1)
+  {
+    throw Invalid_input_error("find_short_tree_cotree_cut: " + std::to_string(bases)
+                              + " base points were asked for; one is the least");
+  }
   if (internal::is_sphere(s)) { return internal::cut_sphere(s, -1); }
   const Index n = s.number_of_vertices();
   const bool takes_all = bases >= n;
@@ -133,7 +152,10 @@ inline std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, 
       least = length;
       shortest = std::move(cut);
     }
-    for (Index v = 0; v < n; ++v) { if (far[v] >= 0) { far[v] = std::min(far[v], tree.distance[v]); } }
+    for (Index v = 0; v < n; ++v)
+    {
+      if (far[v] >= 0) { far[v] = std::min(far[v], tree.distance[v]); }
+    }
     far[base] = -1; // not again, also where all distances are 0
     base = takes_all ? i + 1 : static_cast<Index>(std::max_element(far.begin(), far.end()) - far.begin());
     if (progress) { progress(static_cast<double>(i + 1) / wanted); }
@@ -146,25 +168,29 @@ inline std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, 
  *
  * makes the paths of a cut graph of edges shorter.
  *
- * A path runs between two nodes: vertices where another number of edges than two meet, or on the boundary. Without it the rest
- * leaves an annulus, and any simple path between the two boundaries of that leaves a disc again. The shortest one takes its place,
- * from node to node as Gu, Gortler, Hoppe 2002 do, or wherever it may end. A path over a closed sphere stays.
+ * A path runs between two nodes: vertices where another number of edges than two meet, or on the boundary. Without it
+ * the rest leaves an annulus, and any simple path between the two boundaries of that leaves a disc again. The shortest
+ * one takes its place, from node to node as Gu, Gortler, Hoppe 2002 do, or wherever it may end. A path over a closed
+ * sphere stays.
  *
  * \param s the surface
  * \param cut the edges, a halfedge of each
  * \param ends where paths may end
  * \param rounds how often all paths are gone through at most; it ends when none got shorter
- * \param may_pass whether a path may pass through a vertex; all may, by default. What does not hold of a path is left where it is
+ * \param may_pass whether a path may pass through a vertex; all may, by default. What does not hold of a path is left
+ *   where it is
  *
  * \returns the edges of the shorter cut graph, sorted
  * \pre `s` is connected, cutting it along the edges leaves one disc, and no edge dangles
  * \post cutting along them leaves one disc, and they are not longer than before
  * \throws Invalid_input_error if the edges are found to be no cut graph
  * \par Complexity
- * For each path once the size of the cut graph, and \f$ O(k \log k) \f$ for the `k` vertices within the length of the path
+ * For each path once the size of the cut graph, and \f$ O(k \log k) \f$ for the `k` vertices within the length of the
+ * path
  */
-inline std::vector<Index> straighten_edge_cut(const Triangle_surface& s, const std::vector<Index>& cut, Path_ends ends = Path_ends::SLIDE,
-                                              int rounds = 5, const std::function<bool(Index)>& may_pass = [](Index) { return true; })
+inline std::vector<Index> straighten_edge_cut(
+  const Triangle_surface& s, const std::vector<Index>& cut, Path_ends ends = Path_ends::SLIDE, int rounds = 5,
+  const std::function<bool(Index)>& may_pass = [](Index) { return true; })
 {
   std::vector<char> is_cut(s.number_of_halfedges(), 0);
   for (Index h : cut) { is_cut[h] = is_cut[s.opposite[h]] = 1; }
@@ -178,8 +204,9 @@ inline std::vector<Index> straighten_edge_cut(const Triangle_surface& s, const s
  *
  * \returns a cut graph of edges from taking faces away (Gu, Gortler, Hoppe 2002, "Geometry images", section 3.1)
  *
- * Faces are taken away from a seed on, in the order of their distance through faces, each with the edge to the one before. The
- * edges that are left over are pruned to a cut graph, and its paths straightened. A closed sphere is opened along a path between two vertices far apart.
+ * Faces are taken away from a seed on, in the order of their distance through faces, each with the edge to the one
+ * before. The edges that are left over are pruned to a cut graph, and its paths straightened. A closed sphere is opened
+ * along a path between two vertices far apart.
  *
  * \param s the surface
  * \param seed_face the first face, or -1 for one at a vertex far out
@@ -192,7 +219,8 @@ inline std::vector<Index> straighten_edge_cut(const Triangle_surface& s, const s
  * \par Complexity
  * \f$ O(n \log n) \f$, and that of `straighten_edge_cut()`
  */
-inline std::vector<Index> cut_by_removing_faces(const Triangle_surface& s, Index seed_face = -1, Path_ends ends = Path_ends::FIXED, int rounds = 5)
+inline std::vector<Index> cut_by_removing_faces(const Triangle_surface& s, Index seed_face = -1,
+                                                Path_ends ends = Path_ends::FIXED, int rounds = 5)
 {
   if (seed_face != -1) { internal::check_index("cut_by_removing_faces", "face", seed_face, s.number_of_faces()); }
   if (internal::is_sphere(s)) { return internal::cut_sphere(s, -1); }

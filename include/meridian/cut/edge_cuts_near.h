@@ -13,10 +13,12 @@ namespace internal {
 // What the seam of a refined surface has to do with its root.
 struct Seam_trace
 {
-  std::vector<char> crosses, follows;            // for each edge of the root, by `edge()`: passes a point inside it, or along a part of it
-  std::vector<char> is_on;                       // whether a vertex of the root is on the seam
-  std::vector<double> beside;                    // for each vertex of the root, how far from it the seam passes an edge or face at it
-  std::vector<Index> ends;                       // vertices of the root at or next to the ends of the seam, sorted
+  // for each edge of the root, by `edge()`: passes a point inside it, or along a part of it
+  std::vector<char> crosses, follows;
+  std::vector<char> is_on; // whether a vertex of the root is on the seam
+  // for each vertex of the root, how far from it the seam passes an edge or face at it
+  std::vector<double> beside;
+  std::vector<Index> ends; // vertices of the root at or next to the ends of the seam, sorted
 };
 
 inline Seam_trace trace_seam(const Triangle_surface& root, const Refined_surface& cut)
@@ -46,11 +48,17 @@ inline Seam_trace trace_seam(const Triangle_surface& root, const Refined_surface
       const auto reach = [&](Index w) { trace.beside[w] = std::min(trace.beside[w], distance(root.points[w], at)); };
       if (o.kind != Origin::FACE) { reach(o.index[0]); }
       if (o.kind == Origin::EDGE) { reach(o.index[1]); }
-      if (o.kind == Origin::FACE) { for (Index w : root.triangles[o.index[0]]) { reach(w); } }
+      if (o.kind == Origin::FACE)
+      {
+        for (Index w : root.triangles[o.index[0]]) { reach(w); }
+      }
     }
     std::array<Index, 2> ends;
     std::array<double, 2> t;
-    if (on_common_root_edge(cut.origin(cut.source(h)), cut.origin(cut.target(h)), ends, t)) { trace.follows[edge_in(f, ends)] = 1; }
+    if (on_common_root_edge(cut.origin(cut.source(h)), cut.origin(cut.target(h)), ends, t))
+    {
+      trace.follows[edge_in(f, ends)] = 1;
+    }
   }
   for (Index v = 0; v < cut.number_of_vertices(); ++v)
   {
@@ -73,7 +81,10 @@ inline std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Se
     return (is_beside(root.source(h)) && is_beside(root.target(h)) ? 1 : away) * root.length(h);
   });
   std::vector<char> is_cut(root.number_of_halfedges(), 0);
-  for (Index v : trace.ends) { for (Index h : way_to(root, tree, v)) { is_cut[h] = 1; } }
+  for (Index v : trace.ends)
+  {
+    for (Index h : way_to(root, tree, v)) { is_cut[h] = 1; }
+  }
   std::vector<Index> edges = flagged_edges(root, is_cut);
   return edges.size() < 2 ? cut_sphere(root, trace.ends.front()) : edges;
 }
@@ -85,12 +96,13 @@ inline std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Se
  *
  * \returns a cut graph of edges of the root, close to a cut graph of a refinement
  *
- * A spanning tree of the root's faces takes first the edges that are no part of the given seam: those farthest from it first, then
- * those that touch it in a vertex, then those it crosses, and those it follows last. What is left over is pruned, and its paths are
- * straightened within the vertices next to the seam. So the result is a cut graph whatever the seam is. A face that the seam
- * crosses joins one of its sides; where that can be done for all, the edges left over zigzag across the seam before they are
- * straightened, and lie in its homotopy class. A seam that follows edges of the root throughout is kept as it is with 0 rounds.
- * On a closed sphere, the ends of the seam are joined by ways along the faces it crosses.
+ * A spanning tree of the root's faces takes first the edges that are no part of the given seam: those farthest from it
+ * first, then those that touch it in a vertex, then those it crosses, and those it follows last. What is left over is
+ * pruned, and its paths are straightened within the vertices next to the seam. So the result is a cut graph whatever
+ * the seam is. A face that the seam crosses joins one of its sides; where that can be done for all, the edges left over
+ * zigzag across the seam before they are straightened, and lie in its homotopy class. A seam that follows edges of the
+ * root throughout is kept as it is with 0 rounds. On a closed sphere, the ends of the seam are joined by ways along the
+ * faces it crosses.
  *
  * \param root the surface
  * \param cut a refinement of it with a seam
@@ -110,7 +122,12 @@ inline std::vector<Index> cut_of_edges_near(const Triangle_surface& root, const 
     if (trace.beside[v] < std::numeric_limits<double>::infinity()) { starts.emplace_back(trace.beside[v], v); }
   const internal::Edge_tree tree = internal::grow_edge_tree(root, starts, [&](Index h) { return root.length(h); });
 
-  struct Rank { int kind; double nearness; Index edge; };
+  struct Rank
+  {
+    int kind;
+    double nearness;
+    Index edge;
+  };
   std::vector<Rank> ranks;
   for (Index h = 0; h < root.number_of_halfedges(); ++h)
   {

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_CUT_JOIN_GENERATORS_H
 #define MERIDIAN_CUT_JOIN_GENERATORS_H
 
-#include <meridian/cut/link_boundaries.h>
 #include <meridian/curves/morse_complex.h>
+#include <meridian/cut/link_boundaries.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
@@ -27,14 +27,20 @@ inline void add_faces_near(const Ordered_surface& m, const std::vector<Curve_poi
   const Refined_surface& s = m.surface;
   for (const Curve_point& p : points)
   {
-    if (p.is_vertex()) { s.for_each_outgoing(p.vertex, [&](Index h) { faces.push_back(s.face_of[s.face(h)]); }); continue; }
+    if (p.is_vertex())
+    {
+      s.for_each_outgoing(p.vertex, [&](Index h) { faces.push_back(s.face_of[s.face(h)]); });
+      continue;
+    }
     faces.push_back(s.face_of[s.face(p.halfedge)]);
     if (s.opposite[p.halfedge] >= 0) { faces.push_back(s.face_of[s.face(s.opposite[p.halfedge])]); }
   }
 }
 
-// The ways of a minimum spanning tree of the pairs, with the length of paths in the complex for weights (Patane 2007, figure 10).
-inline std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse_complex& complex, const std::vector<std::pair<Index, Index>>& saddles,
+// The ways of a minimum spanning tree of the pairs, with the length of paths in the complex for weights (Patane 2007,
+// figure 10).
+inline std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse_complex& complex,
+                                           const std::vector<std::pair<Index, Index>>& saddles,
                                            const std::vector<Index>& shared, Generator_join join)
 {
   const Complex_graph& graph = complex.graph;
@@ -46,8 +52,13 @@ inline std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse
     points.push_back({place.at(m.graph.node[near])});
     if (join == Generator_join::COMPLEX && far >= 0) { points.back().push_back(place.at(m.graph.node[far])); }
   }
-  struct Way { double length = std::numeric_limits<double>::infinity(); std::vector<Index> lines; };
-  using Pairs = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property, boost::property<boost::edge_weight_t, double>>;
+  struct Way
+  {
+    double length = std::numeric_limits<double>::infinity();
+    std::vector<Index> lines;
+  };
+  using Pairs = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                      boost::property<boost::edge_weight_t, double>>;
   Pairs pairs(saddles.size());
   std::map<std::pair<std::size_t, std::size_t>, Way> ways;
   for (std::size_t i = 0; i < saddles.size(); ++i)
@@ -55,8 +66,10 @@ inline std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse
     {
       std::vector<double> distance(boost::num_vertices(graph));
       std::vector<std::size_t> before(boost::num_vertices(graph));
-      boost::dijkstra_shortest_paths(graph, from, boost::weight_map(boost::get(&Complex_edge::length, graph))
-                                                    .distance_map(distance.data()).predecessor_map(before.data()));
+      boost::dijkstra_shortest_paths(graph, from,
+                                     boost::weight_map(boost::get(&Complex_edge::length, graph))
+                                       .distance_map(distance.data())
+                                       .predecessor_map(before.data()));
       for (std::size_t j = i + 1; j < saddles.size(); ++j)
         for (std::size_t to : points[j])
         {
@@ -78,7 +91,10 @@ inline std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse
         }
     }
   for (const auto& [ends, way] : ways)
-    if (way.length < std::numeric_limits<double>::infinity() && !way.lines.empty()) { boost::add_edge(ends.first, ends.second, way.length, pairs); }
+    if (way.length < std::numeric_limits<double>::infinity() && !way.lines.empty())
+    {
+      boost::add_edge(ends.first, ends.second, way.length, pairs);
+    }
   std::vector<boost::graph_traits<Pairs>::edge_descriptor> tree;
   boost::kruskal_minimum_spanning_tree(pairs, std::back_inserter(tree));
   std::vector<Link_guide> guides;

@@ -2,25 +2,31 @@
 #ifndef MERIDIAN_CUT_LINK_BOUNDARIES_H
 #define MERIDIAN_CUT_LINK_BOUNDARIES_H
 
-#include <meridian/cut/internal/slit_surface.h>
 #include <meridian/cut/internal/sleeve_search.h>
+#include <meridian/cut/internal/slit_surface.h>
 
 #include <functional>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianLinks
-/// a way that a link shall take: between the boundaries of the cut surface that two vertices lie on, through faces of the root.
-struct Link_guide { Index from, to; std::vector<Index> faces; /**< sorted */ };
+/// a way that a link shall take: between the boundaries of the cut surface that two vertices lie on, through faces of
+/// the root.
+struct Link_guide
+{
+  Index from, to;
+  std::vector<Index> faces; /**< sorted */
+};
 
 /// \ingroup PkgMeridianLinks
 /// how boundaries are joined.
 struct Link_options
 {
   std::vector<Link_guide> guides; ///< taken first, as far as no seam is in the way
-  bool bifurcations = false; ///< whether a link may end on an earlier link
-  Index source = -1;         ///< a root vertex that the links shall pass through, or -1
-  std::function<void(double)> progress; ///< told after each link how much is done, from 0 to 1; may throw to end the run
+  bool bifurcations = false;      ///< whether a link may end on an earlier link
+  Index source = -1;              ///< a root vertex that the links shall pass through, or -1
+  /// told after each link how much is done, from 0 to 1; may throw to end the run
+  std::function<void(double)> progress;
 };
 
 /*!
@@ -46,7 +52,8 @@ struct Link_options
  * \par Complexity
  * \f$ O(n \log n) \f$, plus the size of two cells for each link that meets an earlier one
  */
-inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s, const Link_options& options = Link_options())
+inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
+                                                       const Link_options& options = Link_options())
 {
   internal::Slit_surface slit(root, s, options.bifurcations);
   const bool is_closed = slit.number_of_loops() == 0;
@@ -73,7 +80,8 @@ inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& r
   {
     if (slit.are_joined(contact.from, contact.to)) { continue; }
     internal::Sleeve sleeve;
-    if (!search.along_cells(contact, sleeve) && !search.near(contact.from, contact.to, sleeve) && !search.anywhere(contact.from, sleeve))
+    if (!search.along_cells(contact, sleeve) && !search.near(contact.from, contact.to, sleeve)
+        && !search.anywhere(contact.from, sleeve))
       throw Internal_error("link_boundaries: a boundary cannot be reached");
     links.push_back(slit.insert(sleeve));
     search.grow();

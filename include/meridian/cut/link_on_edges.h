@@ -9,8 +9,9 @@ namespace meridian {
 
 namespace internal {
 
-// Grows a tree of links from one boundary of a slit surface (Prim 1957), along edges. One Dijkstra search serves all links: when a boundary
-// is joined or a link found, its corners become further starts, and what the search knows only gets nearer.
+// Grows a tree of links from one boundary of a slit surface (Prim 1957), along edges. One Dijkstra search serves all
+// links: when a boundary is joined or a link found, its corners become further starts, and what the search knows only
+// gets nearer.
 class Edge_linker
 {
 public:
@@ -23,7 +24,10 @@ public:
     if (is_closed)
     {
       const auto [from, to] = find_distant_nodes(s, make_closed_model(s)); // a closed surface's nodes are its vertices
-      for (Index v : {from, to}) { if (m_slit.number_of_loops() < 2) { m_slit.add_point(v); } }
+      for (Index v : {from, to})
+      {
+        if (m_slit.number_of_loops() < 2) { m_slit.add_point(v); }
+      }
       m_forbidden = {m_slit.vertices(0).front(), m_slit.vertices(1).front()};
     }
     for (Index v = 0; v < s.number_of_vertices(); ++v) { m_is_used[v] = !m_slit.is_free(v); }
@@ -36,7 +40,9 @@ public:
   {
     m_is_joined[loop] = 1;
     for (Index v : m_slit.vertices(loop))
-      m_surface.for_each_outgoing(v, [&](Index h) { if (m_slit.loop(h) == loop) { take(0, h); } });
+      m_surface.for_each_outgoing(v, [&](Index h) {
+        if (m_slit.loop(h) == loop) { take(0, h); }
+      });
   }
 
   // The next link, flagged, as vertices from the tree to the boundary that it joins.
@@ -92,8 +98,9 @@ private:
   std::vector<Index> m_by;        // and the halfedge by which it was reached
   std::vector<char> m_is_used;    // of each vertex: on a boundary, a seam or a link
   std::vector<char> m_is_joined;  // of each boundary
-  std::array<Index, 2> m_forbidden{-1, -1}; // the ends of an edge that is no link on a closed surface: cut alone, it would open nothing
-  using Entry = std::pair<double, Index>;   // of a halfedge, its length included
+  // the ends of an edge that is no link on a closed surface: cut alone, it would open nothing
+  std::array<Index, 2> m_forbidden{-1, -1};
+  using Entry = std::pair<double, Index>; // of a halfedge, its length included
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
 };
 
@@ -102,19 +109,23 @@ private:
 /*!
  * \ingroup PkgMeridianLinks
  *
- * joins all boundaries of a slit genus-0 surface by a tree of paths along existing edges, which makes it a disc. No vertex is added.
+ * joins all boundaries of a slit genus-0 surface by a tree of paths along existing edges, which makes it a disc. No
+ * vertex is added.
  *
- * The tree grows from one boundary (Prim 1957): each link is the shortest path of edges from what is joined so far to the nearest
- * other boundary, and its inside avoids all vertices of boundaries, seams and links. It may begin on an earlier
- * link: if that were not allowed, links could run out of free vertices. A loop whose neighbours all lie on one link, for example, is reached
- * from that link only, and there may be no free vertex in between, which `link_boundaries()` would make by dividing edges.
+ * The tree grows from one boundary (Prim 1957): each link is the shortest path of edges from what is joined so far to
+ * the nearest other boundary, and its inside avoids all vertices of boundaries, seams and links. It may begin on an
+ * earlier link: if that were not allowed, links could run out of free vertices. A loop whose neighbours all lie on one
+ * link, for example, is reached from that link only, and there may be no free vertex in between, which
+ * `link_boundaries()` would make by dividing edges.
  *
- * A link always exists. Take the slit surface apart: its corners between seams are the vertices of a connected triangulated surface.
- * The shortest path of edges there from the boundary that holds the tree to the other boundaries has no inner vertex on either, and none of
- * its edges is a seam, as the two sides of a seam have both ends on one boundary. Cutting along it makes one of two boundaries and
- * leaves the surface connected, so with the last link it is a disc.
+ * A link always exists. Take the slit surface apart: its corners between seams are the vertices of a connected
+ * triangulated surface. The shortest path of edges there from the boundary that holds the tree to the other boundaries
+ * has no inner vertex on either, and none of its edges is a seam, as the two sides of a seam have both ends on one
+ * boundary. Cutting along it makes one of two boundaries and leaves the surface connected, so with the last link it is
+ * a disc.
  *
- * A closed surface of genus 0 is opened along paths that join two vertices far apart, or the source and one of them; they have two edges at least.
+ * A closed surface of genus 0 is opened along paths that join two vertices far apart, or the source and one of them;
+ * they have two edges at least.
  *
  * \param s the surface. The links are flagged.
  * \param source a vertex that links shall pass through or end at, or -1
@@ -124,7 +135,8 @@ private:
  * \post cutting it along all seams leaves a disc
  * \throws Internal_error if a boundary cannot be reached
  * \par Complexity
- * \f$ O(n \log n) \f$ where each vertex comes nearer to the tree a bounded number of times; for each link that again at worst
+ * \f$ O(n \log n) \f$ where each vertex comes nearer to the tree a bounded number of times; for each link that again at
+ * worst
  */
 inline std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, Index source = -1)
 {

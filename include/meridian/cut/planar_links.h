@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_CUT_PLANAR_LINKS_H
 #define MERIDIAN_CUT_PLANAR_LINKS_H
 
+#include <meridian/cut/internal/planar_segments.h>
 #include <meridian/map/embed_in_plane.h>
 #include <meridian/surface/insert_curves.h>
-#include <meridian/cut/internal/planar_segments.h>
 #include <meridian/surface/open_along.h>
 
 #include <string>
@@ -17,10 +17,10 @@ namespace meridian {
  * joins all boundaries of a slit genus-0 surface by counterimages of segments in a planar embedding (Patane, Spagnuolo,
  * Falcidieno 2007).
  *
- * The boundaries' images are the constraints of a constrained Delaunay triangulation (CGAL). Its edges between different
- * boundaries neither cross a boundary nor each other; the links are the minimum spanning tree of these. Each segment is
- * followed through the faces with exact orientation predicates, and where several cross one edge their order on it is
- * found in rational numbers.
+ * The boundaries' images are the constraints of a constrained Delaunay triangulation (CGAL). Its edges between
+ * different boundaries neither cross a boundary nor each other; the links are the minimum spanning tree of these. Each
+ * segment is followed through the faces with exact orientation predicates, and where several cross one edge their order
+ * on it is found in rational numbers.
  *
  * \param root the surface that `s` refines
  * \param s the surface, whose seams are disjoint closed curves. The links are inserted and flagged.
@@ -34,7 +34,8 @@ namespace meridian {
  * One factorization, and \f$ O(k \log k) \f$ for `k` boundary vertices and crossings.
  */
 template <class SymmetricTraits = Symmetric_solver_traits>
-std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surface& s, Index source, std::vector<std::vector<Index>>& links)
+std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surface& s, Index source,
+                                     std::vector<std::vector<Index>>& links)
 {
   const Opened_surface opened = open_along(s);
   const Triangle_surface o = surface_of(s, opened);
@@ -61,7 +62,8 @@ std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surfa
     walks.push_back(internal::walk(o, plane, segment));
     if (walks.back().points.empty()) { return "a segment leaves the planar domain"; }
   }
-  const std::vector<Surface_curve> curves = internal::place_walks(s, o, plane, segments, walks, opened.copy_of, loop_of);
+  const std::vector<Surface_curve> curves =
+    internal::place_walks(s, o, plane, segments, walks, opened.copy_of, loop_of);
   links = insert_curves(root, s, curves).vertices;
   return "";
 }

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_CUT_SHORTEN_CUT_GRAPH_H
 #define MERIDIAN_CUT_SHORTEN_CUT_GRAPH_H
 
-#include <meridian/surface/Surface_curve.h>
 #include <meridian/cut/internal/network_exchange.h>
+#include <meridian/surface/Surface_curve.h>
 
 namespace meridian {
 
@@ -17,14 +17,21 @@ inline void add_paths(Normal_curves& curves, const std::vector<std::vector<Index
   {
     std::vector<Normal_curves::Step> steps;
     const auto push = [&](Index h) { // a crossing next to the source of `h`
-      if (!steps.empty() && s.opposite[steps.back().halfedge] == h) { steps.pop_back(); return; }
+      if (!steps.empty() && s.opposite[steps.back().halfedge] == h)
+      {
+        steps.pop_back();
+        return;
+      }
       const Index e = s.edge(h);
       steps.push_back({h, e == h ? 0 : static_cast<Index>(curves.on(e).size()), e == h ? 0.25 : 0.75});
     };
     for (std::size_t i = 1; i + 1 < path.size(); ++i)
     {
       const Index back = s.find_halfedge(path[i], path[i - 1]), on = s.find_halfedge(path[i], path[i + 1]);
-      if (back < 0 || on < 0) { throw Internal_error("add_paths: two vertices of a path are not joined by an edge inside the surface"); }
+      if (back < 0 || on < 0)
+      {
+        throw Internal_error("add_paths: two vertices of a path are not joined by an edge inside the surface");
+      }
       for (Index h = s.turn_right(back); h != on; h = s.turn_right(h)) { push(h); }
     }
     while (!steps.empty() && touches(s, steps.front().halfedge, path.front())) { steps.erase(steps.begin()); }
@@ -36,12 +43,15 @@ inline void add_paths(Normal_curves& curves, const std::vector<std::vector<Index
 inline double network_length(const Normal_curves& curves)
 {
   double sum = 0;
-  for (Index c = 0; c < curves.number_of_curves(); ++c) { if (curves.is_open(c)) { sum += curve_length(curves, c); } }
+  for (Index c = 0; c < curves.number_of_curves(); ++c)
+  {
+    if (curves.is_open(c)) { sum += curve_length(curves, c); }
+  }
   return sum;
 }
 
-// Moves all vertices of a network, and parts and joins them, until no pass gains more than the least gain. `pause` is called between
-// moves; it may throw.
+// Moves all vertices of a network, and parts and joins them, until no pass gains more than the least gain. `pause` is
+// called between moves; it may throw.
 inline void move_vertices(Normal_curves& curves, const Tighten_options& options, const std::function<void()>& pause)
 {
   for (int pass = 0; pass < options.passes; ++pass)
@@ -49,7 +59,10 @@ inline void move_vertices(Normal_curves& curves, const Tighten_options& options,
     const double before = network_length(curves);
     std::set<Index> vertices;
     for (Index c = 0; c < curves.number_of_curves(); ++c)
-      if (curves.is_open(c)) { for (bool is_last : {false, true}) { vertices.insert(curves.vertex({c, is_last})); } }
+      if (curves.is_open(c))
+      {
+        for (bool is_last : {false, true}) { vertices.insert(curves.vertex({c, is_last})); }
+      }
     for (Index v : vertices)
     {
       pause();
@@ -73,9 +86,13 @@ inline std::vector<Surface_curve> place_network(const Normal_curves& curves)
     if (!curves.is_open(c)) { continue; }
     present.push_back(c);
     auto& all = crossings.emplace_back();
-    for (Index x : curves.crossings(c)) { all.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true, -1}); }
+    for (Index x : curves.crossings(c))
+    {
+      all.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true, -1});
+    }
   }
-  auto placed = place_crossings(s, crossings, false, [&](Index v) { return !s.is_boundary_vertex(v) && curves.ends_at(v).empty(); });
+  auto placed = place_crossings(s, crossings, false,
+                                [&](Index v) { return !s.is_boundary_vertex(v) && curves.ends_at(v).empty(); });
   for (std::size_t i = 0; i < present.size(); ++i)
   {
     auto& points = placed[i].points;
@@ -92,15 +109,16 @@ inline std::vector<Surface_curve> place_network(const Normal_curves& curves)
  *
  * makes a cut graph shorter; what it leaves of the surface stays a disc.
  *
- * The paths of the graph become open curves in normal position. Three moves are tried by turns until none gains more than the least gain:
+ * The paths of the graph become open curves in normal position. Three moves are tried by turns until none gains more
+ * than the least gain:
  * - a curve is pulled tight and moved over vertices of the mesh (see `tighten_curves()`);
- * - a vertex of the graph moves to a neighbour, two curves that leave it at less than 120 degrees part from the others, or two vertices
- *   draw together and part the other way: the graph tends to a Steiner network of geodesics;
+ * - a vertex of the graph moves to a neighbour, two curves that leave it at less than 120 degrees part from the others,
+ * or two vertices draw together and part the other way: the graph tends to a Steiner network of geodesics;
  * - a shorter way through the disc takes the place of a curve whose two sides it separates.
  *
- * The first two keep the class of the graph. The third keeps the disc: a disc cut along a way through it is two discs, and glueing
- * them along a curve that lies on both makes one. Which curves these are is read from the walk around the disc, and the walk is done
- * again, as a count, after each exchange. No step depends on a number being exact.
+ * The first two keep the class of the graph. The third keeps the disc: a disc cut along a way through it is two discs,
+ * and glueing them along a curve that lies on both makes one. Which curves these are is read from the walk around the
+ * disc, and the walk is done again, as a count, after each exchange. No step depends on a number being exact.
  *
  * \param root the surface
  * \param paths the graph: vertices joined by edges inside the surface, as from `seam_paths()`
@@ -110,17 +128,20 @@ inline std::vector<Surface_curve> place_network(const Normal_curves& curves)
  * \pre `root` is connected; cutting along the paths leaves one disc; no path dangles
  * \throws Internal_error if the paths leave anything but a disc
  * \par Complexity
- * \f$ O(n \log n) \f$ for each round of exchanges and the size of the graph for each of them, and linear in the crossings of the curves that a move
- * changes
+ * \f$ O(n \log n) \f$ for each round of exchanges and the size of the graph for each of them, and linear in the
+ * crossings of the curves that a move changes
  */
-inline std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
+inline std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root,
+                                                    const std::vector<std::vector<Index>>& paths,
                                                     const Tighten_options& options = Tighten_options())
 {
   Normal_curves curves(root, 0);
   internal::add_paths(curves, paths);
   if (curves.number_of_curves() == 0) { return {}; }
   double done = 0;
-  const auto pause = [&] { if (options.progress) { options.progress(done); } };
+  const auto pause = [&] {
+    if (options.progress) { options.progress(done); }
+  };
   Tighten_options quiet = options;
   quiet.progress = nullptr;
   tighten_curves(curves, quiet);
@@ -150,7 +171,8 @@ inline std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root
     before += length(root, curve);
   }
   for (const Surface_curve& curve : placed) { after += length(root, curve); }
-  return after < before ? placed : as_given; // where faces have no area, the places of crossings may cost more than was gained
+  // where faces have no area, the places of crossings may cost more than was gained
+  return after < before ? placed : as_given;
 }
 
 } // namespace meridian

@@ -11,20 +11,21 @@ namespace meridian {
 namespace internal {
 
 // Dirichlet problems on sets of nodes of one graph.
-template <class SolverTraits>
-class Laplace_system
+template <class SolverTraits> class Laplace_system
 {
 public:
   Laplace_system(const Closed_model& graph, const std::vector<double>& weights)
-    : m_graph(graph), m_weights(weights), m_row(graph.number_of_nodes, -1) {}
+    : m_graph(graph), m_weights(weights), m_row(graph.number_of_nodes, -1)
+  {}
 
   const Closed_model& graph() const { return m_graph; }
 
   // Writes the solution at the nodes `unknown` to `x`; `known(a)` is the value at any other node next to them.
-  template <class Known>
-  void solve(const std::vector<Index>& unknown, const Known& known, std::vector<double>& x)
+  template <class Known> void solve(const std::vector<Index>& unknown, const Known& known, std::vector<double>& x)
   {
-    solve<1>(unknown, [&](Index a) { return std::array<double, 1>{known(a)}; }, [&](Index a, int, double value) { x[a] = value; });
+    solve<1>(
+      unknown, [&](Index a) { return std::array<double, 1>{known(a)}; },
+      [&](Index a, int, double value) { x[a] = value; });
   }
 
   // The same for several right-hand sides with one factorization; `write(a, i, value)` receives the solutions.
@@ -46,7 +47,11 @@ public:
         const double w = m_weights[m_graph.halfedge[e]];
         const Index neighbor = m_graph.neighbor[e];
         diagonal += w;
-        if (m_row[neighbor] >= 0) { a.set_coef(i, m_row[neighbor], -w, true); continue; }
+        if (m_row[neighbor] >= 0)
+        {
+          a.set_coef(i, m_row[neighbor], -w, true);
+          continue;
+        }
         const std::array<double, Sides> value = known(neighbor);
         for (std::size_t k = 0; k < Sides; ++k) { sum[k] += w * value[k]; }
       }
@@ -62,7 +67,8 @@ public:
     {
       Vector solution(n);
       if (!is_factored || !solver.linear_solver(right[k], solution))
-        throw Solver_error("the system of " + std::to_string(n) + " equations cannot be factorized; the symmetric positive weights are the safest");
+        throw Solver_error("the system of " + std::to_string(n)
+                           + " equations cannot be factorized; the symmetric positive weights are the safest");
       for (std::size_t i = 0; i < n; ++i)
       {
         const double value = solution[i] / denominator;

@@ -17,9 +17,9 @@ struct Ordered_surface
 {
   Refined_surface surface;
   Closed_model graph;
-  Scalar_field field;                 ///< on the nodes of `graph`
-  Node_order order;                   ///< of the nodes of `graph`
-  std::vector<Index> rank;            ///< of the node of each vertex
+  Scalar_field field;                   ///< on the nodes of `graph`
+  Node_order order;                     ///< of the nodes of `graph`
+  std::vector<Index> rank;              ///< of the node of each vertex
   std::vector<Critical_point> critical; ///< of the order, before unfolding
 };
 
@@ -29,7 +29,10 @@ inline Refined_surface divide_chords(const Triangle_surface& root)
 {
   Refined_surface s(root);
   std::vector<Surface_curve> points;
-  for (Index h : chords_of_loops(s, make_closed_model(s))) { points.push_back({{Curve_point::on_edge(h, 0.5)}, false}); }
+  for (Index h : chords_of_loops(s, make_closed_model(s)))
+  {
+    points.push_back({{Curve_point::on_edge(h, 0.5)}, false});
+  }
   if (!points.empty()) { insert_curves(root, s, points, false); }
   return s;
 }
@@ -58,7 +61,11 @@ inline void unfold_saddles(const Triangle_surface& root, Ordered_surface& m)
   for (const Critical_point& p : m.critical)
   {
     if (p.kind != Critical_kind::SADDLE || p.multiplicity < 2) { continue; }
-    struct Spoke { Index halfedge; bool higher; };
+    struct Spoke
+    {
+      Index halfedge;
+      bool higher;
+    };
     std::vector<Spoke> spokes;
     for_each_around_node(s, p.vertex, [&](Index h) { spokes.push_back({h, m.rank[s.target(h)] > m.rank[p.vertex]}); });
     // Begin with the first spoke of a valley.
@@ -118,9 +125,15 @@ inline void unfold_saddles(const Triangle_surface& root, Ordered_surface& m)
   for (Index a : order.nodes)
   {
     const auto extra = added.find(a);
-    if (extra != added.end()) { for (Index v : extra->second.first) { append_new(v); } }
+    if (extra != added.end())
+    {
+      for (Index v : extra->second.first) { append_new(v); }
+    }
     append(m.graph.node[old.representative[a]], field.value[a], field.region_of(a));
-    if (extra != added.end()) { for (Index v : extra->second.second) { append_new(v); } }
+    if (extra != added.end())
+    {
+      for (Index v : extra->second.second) { append_new(v); }
+    }
   }
   m.order.rank.resize(m.graph.number_of_nodes);
   for (Index i = 0; i < m.graph.number_of_nodes; ++i) { m.order.rank[m.order.nodes[i]] = i; }

@@ -14,7 +14,11 @@ namespace meridian {
 /// field are still told apart.
 struct Scalar_field
 {
-  struct Region { Index parent = -1; double offset = 0, scale = 1; };
+  struct Region
+  {
+    Index parent = -1;
+    double offset = 0, scale = 1;
+  };
 
   std::vector<double> value;
   std::vector<Index> region; ///< of each node; empty while there is only one

@@ -8,15 +8,20 @@ namespace meridian {
 
 /// \ingroup PkgMeridianOrder
 /// what an order does at a node.
-enum class Critical_kind { MINIMUM, SADDLE, MAXIMUM };
+enum class Critical_kind
+{
+  MINIMUM,
+  SADDLE,
+  MAXIMUM
+};
 
 /// \ingroup PkgMeridianOrder
 /// a critical node of an order.
 struct Critical_point
 {
-  Index vertex;       ///< the vertex; the first one of a boundary loop
+  Index vertex; ///< the vertex; the first one of a boundary loop
   Critical_kind kind;
-  int multiplicity;   ///< of a saddle: `m` where `m + 1` valleys meet; 1 for extrema
+  int multiplicity; ///< of a saddle: `m` where `m + 1` valleys meet; 1 for extrema
 };
 
 /*!
@@ -62,14 +67,16 @@ inline std::vector<Critical_point> find_critical_points(const Triangle_surface& 
 
 /// \ingroup PkgMeridianOrder
 /// how many critical points there are; saddles by multiplicity.
-struct Critical_counts { int minima = 0, maxima = 0, saddles = 0; };
+struct Critical_counts
+{
+  int minima = 0, maxima = 0, saddles = 0;
+};
 
 /// \ingroup PkgMeridianOrder
 inline Critical_counts count(const std::vector<Critical_point>& points)
 {
   Critical_counts c;
-  for (const auto& p : points)
-    switch (p.kind)
+  for (const auto& p : points) switch (p.kind)
     {
     case Critical_kind::MINIMUM: ++c.minima; break;
     case Critical_kind::MAXIMUM: ++c.maxima; break;

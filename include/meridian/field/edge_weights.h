@@ -10,10 +10,12 @@ namespace meridian {
 /// the discretizations of the Laplacian.
 enum class Weights
 {
-  POSITIVE,   ///< mean-value weights made symmetric edge by edge: positive and symmetric, so that the maximum principle holds
+  /// mean-value weights made symmetric edge by edge: positive and symmetric, so that the maximum principle holds
+  POSITIVE,
   MEAN_VALUE, ///< Floater 2003: positive, not symmetric
   COTANGENT,  ///< Pinkall, Polthier 1993: symmetric, negative across obtuse angles
-  INTRINSIC_DELAUNAY ///< cotangents on other edges than the mesh's, none negative: see `make_intrinsic_delaunay_graph()`
+  /// cotangents on other edges than the mesh's, none negative: see `make_intrinsic_delaunay_graph()`
+  INTRINSIC_DELAUNAY
 };
 
 /// \ingroup PkgMeridianOrder

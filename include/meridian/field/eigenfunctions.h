@@ -14,8 +14,9 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianOrder
-/// \returns the area of each node of a closed model: a third of the faces at its vertices (the lumped mass matrix). None
-///          is less than a hundred-millionth of the mean, so that the areas can be divided by; all are 1 if no face has any.
+/// \returns the area of each node of a closed model: a third of the faces at its vertices (the lumped mass matrix).
+///          None is less than a hundred-millionth of the mean, so that the areas can be divided by; all are 1 if no
+///          face has any.
 /// \par Complexity
 /// Linear.
 inline std::vector<double> node_areas(const Triangle_surface& s, const Closed_model& g)
@@ -45,11 +46,11 @@ struct Eigenfunctions
  *
  * finds the lowest eigenfunctions of the Laplacian, \f$ L x = \lambda M x \f$ (Vallet, Levy 2008).
  *
- * One factorization of \f$ L + \sigma M \f$ serves all: the implicitly restarted Lanczos method (Lehoucq, Sorensen 1996) as
- * in Spectra finds the highest eigenvalues of its inverse, on the complement of the constant function, which is known.
- * It starts from one vector and might miss a function where eigenvalues coincide, as those of symmetric surfaces do; so it
- * starts again on the complement of what was found until nothing lower is left. Masses and weights are brought to unit
- * size before, so that units do not matter.
+ * One factorization of \f$ L + \sigma M \f$ serves all: the implicitly restarted Lanczos method (Lehoucq, Sorensen
+ * 1996) as in Spectra finds the highest eigenvalues of its inverse, on the complement of the constant function, which
+ * is known. It starts from one vector and might miss a function where eigenvalues coincide, as those of symmetric
+ * surfaces do; so it starts again on the complement of what was found until nothing lower is left. Masses and weights
+ * are brought to unit size before, so that units do not matter.
  *
  * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough
  * \param g the closed model, or another graph with weights on its edges
@@ -58,18 +59,20 @@ struct Eigenfunctions
  * \param k how many functions to find beside the constant one
  *
  * \returns `k + 1` eigenvalues and functions: \f$ \sum_i m_i x_i y_i \f$ is 1 for a function with itself and 0 for two
- *          different ones. Of each function the entry of largest magnitude (of all that come within a millionth of it, the
- *          first) is positive. Where eigenvalues coincide, the functions are some basis of their space.
- * \pre the weights are symmetric and their matrix is semidefinite, as of cotangent and positive ones (not every solver finds
- *      out); the masses are positive; the graph is connected
+ *          different ones. Of each function the entry of largest magnitude (of all that come within a millionth of it,
+ *          the first) is positive. Where eigenvalues coincide, the functions are some basis of their space.
+ * \pre the weights are symmetric and their matrix is semidefinite, as of cotangent and positive ones (not every solver
+ *   finds out); the masses are positive; the graph is connected
  * \throws Invalid_input_error if `k` is not between 1 and the number of nodes less one
  * \throws Solver_error if the matrix cannot be factorized or the iteration does not converge
  *
  * \par Complexity
- * One factorization, \f$ O(n^{1.5}) \f$ for a surface mesh, and some 5 `k` to 10 `k` back-substitutions, \f$ O(n \log n) \f$ each.
+ * One factorization, \f$ O(n^{1.5}) \f$ for a surface mesh, and some 5 `k` to 10 `k` back-substitutions, \f$ O(n \log
+ * n) \f$ each.
  */
 template <class SolverTraits = Symmetric_solver_traits>
-Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& mass, int k)
+Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<double>& weights,
+                                   const std::vector<double>& mass, int k)
 {
   using Operator = internal::Shifted_laplacian<SolverTraits>;
   const Index n = g.number_of_nodes;
@@ -81,8 +84,7 @@ Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<doub
   std::vector<std::pair<double, Eigen::VectorXd>> found; // by descending eigenvalues of the inverse
   const auto search = [&](Index count) { // appends the `count` highest eigenpairs on the complement of what was found
     Index subspace = std::min(n, std::max<Index>(2 * count + 10, 24));
-    for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace))
-      try
+    for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace)) try
       {
         Spectra::SymEigsShiftSolver<Operator> solver(laplacian, count, subspace, -Operator::shift);
         solver.init(); // from a fixed seed
@@ -97,9 +99,14 @@ Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<doub
         }
         return;
       }
-      catch (const Solver_error&) { throw; }
-      catch (const std::exception&) {} // Spectra's own: the small matrix of a subspace had no eigenvalues
-    throw Solver_error("the iteration for " + std::to_string(k) + " eigenfunctions did not converge; fewer functions or positive weights would help");
+      catch (const Solver_error&)
+      {
+        throw;
+      }
+      catch (const std::exception&)
+      {} // Spectra's own: the small matrix of a subspace had no eigenvalues
+    throw Solver_error("the iteration for " + std::to_string(k)
+                       + " eigenfunctions did not converge; fewer functions or positive weights would help");
   };
   const auto by_value = [](const auto& a, const auto& b) { return a.first < b.first; };
   search(k);
@@ -134,9 +141,13 @@ Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<doub
       for (Index i = 0; i < n; ++i) { square += mass[i] * x[i] * x[i]; }
       for (double& y : x) { y /= std::sqrt(square); }
       for (double y : x) { largest = std::max(largest, std::abs(y)); }
-      const auto first = std::find_if(x.begin(), x.end(), [&](double y) { return std::abs(y) >= (1 - 1e-6) * largest; });
+      const auto first =
+        std::find_if(x.begin(), x.end(), [&](double y) { return std::abs(y) >= (1 - 1e-6) * largest; });
       if (first == x.end()) { throw Solver_error("an eigenfunction is not finite; positive weights are the safest"); }
-      if (*first < 0) { for (double& y : x) { y = -y; } }
+      if (*first < 0)
+      {
+        for (double& y : x) { y = -y; }
+      }
     }
     double energy = 0; // Rayleigh's quotient keeps the digits of small eigenvalues
     for (Index a = 0; a < n; ++a)
@@ -179,7 +190,8 @@ inline std::vector<double> scaled_eigenfunction(const Eigenfunctions& e, int i)
  * \par Complexity
  * Linear in edges times functions.
  */
-inline std::pair<Index, Index> find_curved_extrema(const Triangle_surface& s, const Closed_model& g, const Eigenfunctions& e)
+inline std::pair<Index, Index> find_curved_extrema(const Triangle_surface& s, const Closed_model& g,
+                                                   const Eigenfunctions& e)
 {
   std::vector<char> is_minimum(g.number_of_nodes, 0), is_maximum(g.number_of_nodes, 0);
   for (std::size_t k = 1; k < e.functions.size(); ++k)

@@ -14,9 +14,13 @@ template <class SolverTraits>
 Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& g, Weights weights, int k)
 {
   if (weights == Weights::MEAN_VALUE)
-    throw Invalid_input_error("eigenfunctions need symmetric weights; mean-value weights are not: take positive, cotangent or intrinsic Delaunay weights");
+    throw Invalid_input_error("eigenfunctions need symmetric weights; mean-value weights are not: take positive, "
+                              "cotangent or intrinsic Delaunay weights");
   const std::vector<double> mass = node_areas(s, g);
-  if (weights != Weights::INTRINSIC_DELAUNAY) { return find_eigenfunctions<SolverTraits>(g, edge_weights(s, weights), mass, k); }
+  if (weights != Weights::INTRINSIC_DELAUNAY)
+  {
+    return find_eigenfunctions<SolverTraits>(g, edge_weights(s, weights), mass, k);
+  }
   const Weighted_graph joined = make_intrinsic_delaunay_graph(s);
   return find_eigenfunctions<SolverTraits>(joined.graph, joined.weights, mass, k);
 }
@@ -26,13 +30,14 @@ Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& 
 /*!
  * \ingroup PkgMeridianOrder
  *
- * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue (Patane 2007, section 2.1). It
- *          is the same all along a boundary loop. It serves as `Field_options::values`.
+ * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue (Patane 2007,
+ *          section 2.1). It is the same all along a boundary loop. It serves as `Field_options::values`.
  * \param s the surface
  * \param i which one, from 1: the constant function is 0. The paper takes the genus + 1.
  * \param weights the discretization; not mean-value
  * \pre `s` is connected
- * \throws Invalid_input_error if there is no such eigenfunction or the weights are not symmetric, Solver_error if it is not found
+ * \throws Invalid_input_error if there is no such eigenfunction or the weights are not symmetric, Solver_error if it is
+ *   not found
  * \par Complexity
  * One factorization, and some tens of back-substitutions for each eigenfunction
  */
@@ -41,7 +46,8 @@ std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weight
 {
   const Closed_model g = make_closed_model(s);
   if (i < 1 || i >= g.number_of_nodes)
-    throw Invalid_input_error("there is no eigenfunction " + std::to_string(i) + " of a surface of " + std::to_string(g.number_of_nodes) + " nodes; count from 1");
+    throw Invalid_input_error("there is no eigenfunction " + std::to_string(i) + " of a surface of "
+                              + std::to_string(g.number_of_nodes) + " nodes; count from 1");
   const auto values = scaled_eigenfunction(internal::eigenfunctions_of<SolverTraits>(s, g, weights, i), i);
   std::vector<double> field;
   for (Index a : g.node) { field.push_back(values[a]); }
@@ -51,8 +57,8 @@ std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weight
 /*!
  * \ingroup PkgMeridianOrder
  *
- * \returns two vertices for the minimum and the maximum of a field: of the extrema of the first eigenfunctions, those of highest
- *          curvature (Patane 2007, section 2.1)
+ * \returns two vertices for the minimum and the maximum of a field: of the extrema of the first eigenfunctions, those
+ *          of highest curvature (Patane 2007, section 2.1)
  * \param s the surface
  * \param functions how many eigenfunctions are looked at
  * \param weights the discretization; not mean-value
@@ -62,10 +68,12 @@ std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weight
  * that of `eigenfunction_field()`
  */
 template <class SolverTraits = Symmetric_solver_traits>
-std::pair<Index, Index> find_curved_vertices(const Triangle_surface& s, int functions = 4, Weights weights = Weights::POSITIVE)
+std::pair<Index, Index> find_curved_vertices(const Triangle_surface& s, int functions = 4,
+                                             Weights weights = Weights::POSITIVE)
 {
   const Closed_model g = make_closed_model(s);
-  const auto e = internal::eigenfunctions_of<SolverTraits>(s, g, weights, std::min(functions, static_cast<int>(g.number_of_nodes) - 1));
+  const auto e = internal::eigenfunctions_of<SolverTraits>(
+    s, g, weights, std::min(functions, static_cast<int>(g.number_of_nodes) - 1));
   const auto [a, b] = find_curved_extrema(s, g, e);
   return {g.representative[a], g.representative[b]};
 }

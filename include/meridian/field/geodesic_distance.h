@@ -16,12 +16,16 @@ namespace internal {
 // Vertices with `is_known` have the value 0 and no equation. `weight(w)` is what stands for a cotangent weight.
 template <class SolverTraits, class Weight>
 std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const std::vector<double>& mass, double step,
-                                      const std::vector<char>& is_known, const std::vector<double>& right, const Weight& weight)
+                                      const std::vector<char>& is_known, const std::vector<double>& right,
+                                      const Weight& weight)
 {
   const Index n = static_cast<Index>(mass.size());
   std::vector<Index> row(n, -1);
   Index rows = 0;
-  for (Index v = 0; v < n; ++v) { if (!is_known[v]) { row[v] = rows++; } }
+  for (Index v = 0; v < n; ++v)
+  {
+    if (!is_known[v]) { row[v] = rows++; }
+  }
   std::vector<double> x(n, 0), diagonal = mass;
   if (rows == 0) { return x; }
   typename SolverTraits::Matrix a(rows);
@@ -55,12 +59,14 @@ std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const st
     is_solved = std::isfinite(x[v]);
   }
   if (!is_solved)
-    throw Solver_error("the geodesic distance on " + std::to_string(n) + " vertices cannot be solved for; faces of better shape would help");
+    throw Solver_error("the geodesic distance on " + std::to_string(n)
+                       + " vertices cannot be solved for; faces of better shape would help");
   return x;
 }
 
 // Distances along the edges of an intrinsic triangulation (Dijkstra 1959).
-inline std::vector<double> edge_distances(const Intrinsic_triangulation& t, Index vertices, const std::vector<Index>& sources)
+inline std::vector<double> edge_distances(const Intrinsic_triangulation& t, Index vertices,
+                                          const std::vector<Index>& sources)
 {
   std::vector<Index> begin(vertices + 1, 0), leaving(t.number_of_halfedges());
   for (Index h = 0; h < t.number_of_halfedges(); ++h) { ++begin[t.source[h] + 1]; }
@@ -98,13 +104,13 @@ inline std::vector<double> edge_distances(const Intrinsic_triangulation& t, Inde
 /*!
  * \ingroup PkgMeridianOrder
  *
- * \returns for each vertex its distance within the surface from the nearest of some vertices, by the heat method (Crane,
- *          Weischedel, Wardetzky 2013) on the intrinsic Delaunay triangulation (Sharp, Crane 2020)
+ * \returns for each vertex its distance within the surface from the nearest of some vertices, by the heat method
+ *          (Crane, Weischedel, Wardetzky 2013) on the intrinsic Delaunay triangulation (Sharp, Crane 2020)
  *
- * Heat flows from the sources for a short while, its gradient is brought to unit length, and the function whose gradient
- * comes nearest to that is solved for. The time is the square of the mean length of edges; on surfaces so long that heat
- * would fall below the range of double at the far end, it is as much longer as is needed. Going along the boundary is not
- * free here: the distance is that of the surface, not of its closed model.
+ * Heat flows from the sources for a short while, its gradient is brought to unit length, and the function whose
+ * gradient comes nearest to that is solved for. The time is the square of the mean length of edges; on surfaces so long
+ * that heat would fall below the range of double at the far end, it is as much longer as is needed. Going along the
+ * boundary is not free here: the distance is that of the surface, not of its closed model.
  *
  * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough
  * \param s the surface
@@ -129,7 +135,8 @@ std::vector<double> geodesic_distance(const Triangle_surface& s, const std::vect
   const std::vector<double> path = internal::edge_distances(t, n, sources);
   const double farthest = *std::max_element(path.begin(), path.end());
   if (!std::isfinite(farthest))
-    throw Solver_error("the geodesic distance is not finite: the surface is not connected or its coordinates are out of range");
+    throw Solver_error(
+      "the geodesic distance is not finite: the surface is not connected or its coordinates are out of range");
   std::vector<char> is_source(n, 0);
   std::vector<double> mass(n, 0), right(n, 0);
   for (Index v : sources)
@@ -146,17 +153,22 @@ std::vector<double> geodesic_distance(const Triangle_surface& s, const std::vect
       f(std::array<Index, 3>{h, t.next[h], t.next[t.next[h]]});
     }
   };
-  for_each_face([&](const std::array<Index, 3>& side) { for (Index h : side) { mass[t.source[h]] += t.area(side[0]) / 3; } });
+  for_each_face([&](const std::array<Index, 3>& side) {
+    for (Index h : side) { mass[t.source[h]] += t.area(side[0]) / 3; }
+  });
   // Obtuse angles across from the boundary have negative weights. Heat must stay positive.
   // At a distance d it is about e^(-d / reach), in the range of double up to 700 times the reach.
   std::vector<double> heat;
   double reach = std::max(1., farthest / 1000);
-  for (int attempt = 0; attempt == 0 || (attempt < 8 && *std::min_element(heat.begin(), heat.end()) < 1e-290); ++attempt, reach *= 2)
-    heat = internal::solve_on_vertices<SolverTraits>(t, mass, reach * reach, std::vector<char>(n, 0), right, [](double w) { return std::max(w, 0.); });
+  for (int attempt = 0; attempt == 0 || (attempt < 8 && *std::min_element(heat.begin(), heat.end()) < 1e-290);
+       ++attempt, reach *= 2)
+    heat = internal::solve_on_vertices<SolverTraits>(t, mass, reach * reach, std::vector<char>(n, 0), right,
+                                                     [](double w) { return std::max(w, 0.); });
 
   std::fill(right.begin(), right.end(), 0);
   for_each_face([&](const std::array<Index, 3>& side) {
-    // Twice the area times the gradient of the function that is 1 at a corner: the side across, turned by a right angle.
+    // Twice the area times the gradient of the function that is 1 at a corner: the side across, turned by a right
+    // angle.
     const double l = t.length[side[0]];
     const auto p = t.corner(side[0]);
     const std::array<std::array<double, 2>, 3> turned{{{-p[1], p[0] - l}, {p[1], -p[0]}, {0, l}}};
@@ -172,7 +184,8 @@ std::vector<double> geodesic_distance(const Triangle_surface& s, const std::vect
     if (!(size > 0)) { return; }
     for (int k = 0; k < 3; ++k) { right[t.source[side[k]]] += (x * turned[k][0] + y * turned[k][1]) / (2 * size); }
   });
-  std::vector<double> d = internal::solve_on_vertices<SolverTraits>(t, std::vector<double>(n, 0), 1, is_source, right, [](double w) { return w; });
+  std::vector<double> d = internal::solve_on_vertices<SolverTraits>(t, std::vector<double>(n, 0), 1, is_source, right,
+                                                                    [](double w) { return w; });
   for (double& x : d) { x = unit * std::max(x, 0.); }
   return d;
 }

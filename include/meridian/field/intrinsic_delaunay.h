@@ -53,8 +53,9 @@ struct Intrinsic_triangulation
  * makes the intrinsic Delaunay triangulation of a surface (Bobenko, Springborn 2007) by flips (Fisher, Springborn,
  * Bobenko, Schroeder 2006): the angles across from an edge add up to at most \f$ \pi \f$.
  *
- * Lengths are bounded below by a millionth of their mean; then all grow alike until in every face two sides are together
- * longer than the third by as much (Sharp, Crane 2020), so that every face has an area. Edges of the boundary stay.
+ * Lengths are bounded below by a millionth of their mean; then all grow alike until in every face two sides are
+ * together longer than the third by as much (Sharp, Crane 2020), so that every face has an area. Edges of the boundary
+ * stay.
  *
  * \par Complexity
  * Linear in the flips, which are about as many as edges in practice; beyond 100 an edge, no more are made.
@@ -101,7 +102,11 @@ inline Intrinsic_triangulation make_intrinsic_delaunay(const Triangle_surface& s
     const auto above = t.corner(h), below = t.corner(o);
     const double x = above[0] + below[0] - t.length[h], y = above[1] + below[1];
     t.length[h] = t.length[o] = std::max(std::sqrt(x * x + y * y), margin);
-    const auto join = [&](Index i, Index j, Index k) { t.next[i] = j; t.next[j] = k; t.next[k] = i; };
+    const auto join = [&](Index i, Index j, Index k) {
+      t.next[i] = j;
+      t.next[j] = k;
+      t.next[k] = i;
+    };
     t.source[h] = t.source[h2];
     t.source[o] = t.source[o2];
     join(h, o2, h1);
@@ -116,17 +121,18 @@ inline Intrinsic_triangulation make_intrinsic_delaunay(const Triangle_surface& s
 /// a graph on the nodes of a closed model with a weight on each edge.
 struct Weighted_graph
 {
-  Closed_model graph;            ///< nodes as in `make_closed_model()`; `halfedge` is the index of a weight, no halfedge of the surface
+  /// nodes as in `make_closed_model()`; `halfedge` is the index of a weight, no halfedge of the surface
+  Closed_model graph;
   std::vector<double> weights; ///< positive and symmetric
 };
 
 /*!
  * \ingroup PkgMeridianOrder
  *
- * \returns the closed model of a surface joined by the edges of an intrinsic Delaunay triangulation, with their cotangent
- *          weights. They are not negative, so that the maximum principle holds; the little that rounding leaves below zero,
- *          and the zeros across faces on one circle, are raised to a ten-billionth of the mean weight. Edges of a node to
- *          itself are left out.
+ * \returns the closed model of a surface joined by the edges of an intrinsic Delaunay triangulation, with their
+ *          cotangent weights. They are not negative, so that the maximum principle holds; the little that rounding
+ *          leaves below zero, and the zeros across faces on one circle, are raised to a ten-billionth of the mean
+ *          weight. Edges of a node to itself are left out.
  * \param s the surface
  * \param t an intrinsic triangulation of `s`
  * \par Complexity
@@ -171,7 +177,10 @@ inline Weighted_graph make_weighted_graph(const Triangle_surface& s, const Intri
 /// \ingroup PkgMeridianOrder
 /// \returns the closed model of `s` joined by its intrinsic Delaunay triangulation. See `make_intrinsic_delaunay()` and
 ///          `make_weighted_graph()`.
-inline Weighted_graph make_intrinsic_delaunay_graph(const Triangle_surface& s) { return make_weighted_graph(s, make_intrinsic_delaunay(s)); }
+inline Weighted_graph make_intrinsic_delaunay_graph(const Triangle_surface& s)
+{
+  return make_weighted_graph(s, make_intrinsic_delaunay(s));
+}
 
 } // namespace meridian
 

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_FIELD_ORDER_SURFACE_H
 #define MERIDIAN_FIELD_ORDER_SURFACE_H
 
-#include <meridian/field/Ordered_surface.h>
 #include <meridian/base/Progress_observer.h>
+#include <meridian/field/Ordered_surface.h>
 #include <meridian/field/intrinsic_delaunay.h>
 #include <meridian/field/solve_harmonic_field.h>
 #include <meridian/surface/measures.h>
@@ -18,8 +18,9 @@ struct Field_options
 {
   Weights weights = Weights::POSITIVE;
   std::vector<Index> minima, maxima; ///< vertices where the field is 0 and 1; both empty: two vertices far apart
-  std::vector<double> values; ///< one a vertex: a field to take instead of a harmonic one, such as an eigenfunction or a distance. A
-                              ///< boundary loop takes the mean of its vertices. Its own extrema are kept, or `minima` and `maxima` if they are given.
+  /// one a vertex: a field to take instead of a harmonic one, such as an eigenfunction or a distance. A boundary loop
+  /// takes the mean of its vertices. Its own extrema are kept, or `minima` and `maxima` if they are given.
+  std::vector<double> values;
   bool one_maximum = false; ///< whether only the highest maximum is kept: descending lines leave one piece for each
   std::string values_name = "given"; ///< what `values` are, for reports
 };
@@ -41,13 +42,17 @@ struct Field_summary
 /// \param root the surface that `m.surface` refines
 /// \param m the ordered surface
 /// \param options what it was ordered by
-inline Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m, const Field_options& options)
+inline Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m,
+                                     const Field_options& options)
 {
   Field_summary f;
   f.field_kind = options.values.empty() ? "harmonic" : options.values_name;
   f.critical = m.critical;
   f.counts = count(m.critical);
-  for (Critical_point& p : f.critical) { if (p.vertex >= root.number_of_vertices()) { p.vertex = -1; } }
+  for (Critical_point& p : f.critical)
+  {
+    if (p.vertex >= root.number_of_vertices()) { p.vertex = -1; }
+  }
   f.order_rounds = m.order.rounds;
   f.order_numbered = m.order.numbered;
   f.flat_regions = static_cast<int>(m.field.regions.size()) - 1;
@@ -62,7 +67,8 @@ inline Field_summary summarize_field(const Triangle_surface& root, const Ordered
 /// \param minima, maxima the nodes that may be extrema, sorted; both empty: those of the field
 /// \par Complexity
 /// that of `simplify_order()` and `unfold_saddles()`
-inline void order_by_field(const Triangle_surface& root, Ordered_surface& m, const std::vector<Index>& minima, const std::vector<Index>& maxima)
+inline void order_by_field(const Triangle_surface& root, Ordered_surface& m, const std::vector<Index>& minima,
+                           const std::vector<Index>& maxima)
 {
   m.order = order_nodes(m.graph, m.field);
   if (!minima.empty()) { simplify_order(m.graph, m.order, minima, maxima); }
@@ -75,18 +81,25 @@ inline void order_by_field(const Triangle_surface& root, Ordered_surface& m, con
 namespace internal {
 
 // A field that was given, on the nodes of the closed model. What the surface has beside the root lies on edges of it.
-inline Scalar_field field_of_values(const Triangle_surface& root, const Refined_surface& s, const Closed_model& g, const std::vector<double>& values)
+inline Scalar_field field_of_values(const Triangle_surface& root, const Refined_surface& s, const Closed_model& g,
+                                    const std::vector<double>& values)
 {
   if (static_cast<Index>(values.size()) != root.number_of_vertices())
-    throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for " + std::to_string(root.number_of_vertices()) + " vertices; it needs one a vertex");
+    throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for "
+                              + std::to_string(root.number_of_vertices()) + " vertices; it needs one a vertex");
   const auto bad = std::find_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); });
-  if (bad != values.end()) { throw Invalid_input_error("the field is not finite at vertex " + std::to_string(bad - values.begin())); }
+  if (bad != values.end())
+  {
+    throw Invalid_input_error("the field is not finite at vertex " + std::to_string(bad - values.begin()));
+  }
   Scalar_field field(g.number_of_nodes);
   std::vector<int> count(g.number_of_nodes, 0);
   for (Index v = 0; v < s.number_of_vertices(); ++v)
   {
     const Origin o = s.origin(v);
-    const double x = o.kind == Origin::EDGE ? values[o.index[0]] + o.weight[0] * (values[o.index[1]] - values[o.index[0]]) : values[o.index[0]];
+    const double x = o.kind == Origin::EDGE
+                       ? values[o.index[0]] + o.weight[0] * (values[o.index[1]] - values[o.index[0]])
+                       : values[o.index[0]];
     double& mean = field.value[g.node[v]];
     mean += (x - mean) / ++count[g.node[v]];
   }
@@ -102,7 +115,10 @@ inline void keep_one_maximum(const Ordered_surface& m, std::vector<Index>& minim
     for (Index a = 0; a < m.graph.number_of_nodes; ++a)
     {
       bool is_lowest = true;
-      for (Index i = m.graph.begin[a]; i < m.graph.begin[a + 1]; ++i) { is_lowest = is_lowest && !lower(m.graph.neighbor[i], a); }
+      for (Index i = m.graph.begin[a]; i < m.graph.begin[a + 1]; ++i)
+      {
+        is_lowest = is_lowest && !lower(m.graph.neighbor[i], a);
+      }
       if (is_lowest) { minima.push_back(a); }
     }
   maxima = {maxima.empty() ? order.nodes.back() : *std::max_element(maxima.begin(), maxima.end(), lower)};
@@ -123,8 +139,8 @@ inline void keep_one_maximum(const Ordered_surface& m, std::vector<Index>& minim
  *
  * \returns the ordered surface
  * \pre `root` is connected
- * \throws Invalid_input_error if minima and maxima coincide or the values are not one finite number a vertex, Solver_error if the
- *         field cannot be solved
+ * \throws Invalid_input_error if minima and maxima coincide or the values are not one finite number a vertex,
+ *   Solver_error if the field cannot be solved
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */
@@ -152,11 +168,14 @@ Ordered_surface order_surface(const Triangle_surface& root, const Field_options&
     }
     for (Index a : maxima)
       if (std::binary_search(minima.begin(), minima.end(), a))
-        throw Invalid_input_error("a minimum and a maximum of the field lie on "
-                                  + std::string(m.graph.is_loop(a) ? "one boundary loop, which is one place of the field"
-                                                                   : "the same vertex")
-                                  + " (vertex " + std::to_string(m.graph.representative[a]) + "); choose them apart");
-    if (minima.empty() != maxima.empty()) { throw Invalid_input_error("minima and maxima of a field go together; give both or neither"); }
+        throw Invalid_input_error(
+          "a minimum and a maximum of the field lie on "
+          + std::string(m.graph.is_loop(a) ? "one boundary loop, which is one place of the field" : "the same vertex")
+          + " (vertex " + std::to_string(m.graph.representative[a]) + "); choose them apart");
+    if (minima.empty() != maxima.empty())
+    {
+      throw Invalid_input_error("minima and maxima of a field go together; give both or neither");
+    }
     for (Index a : minima) { prescribed.push_back({a, 0}); }
     for (Index a : maxima) { prescribed.push_back({a, 1}); }
   });

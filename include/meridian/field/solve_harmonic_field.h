@@ -2,17 +2,21 @@
 #ifndef MERIDIAN_FIELD_SOLVE_HARMONIC_FIELD_H
 #define MERIDIAN_FIELD_SOLVE_HARMONIC_FIELD_H
 
+#include <meridian/field/Laplace_system.h>
 #include <meridian/field/Scalar_field.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/field/internal/flat_regions.h>
-#include <meridian/field/Laplace_system.h>
 #include <meridian/field/solver_traits.h>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianOrder
 /// a value prescribed at a node of the closed model.
-struct Dirichlet_value { Index node; double value; };
+struct Dirichlet_value
+{
+  Index node;
+  double value;
+};
 
 /*!
  * \ingroup PkgMeridianOrder
@@ -23,8 +27,8 @@ struct Dirichlet_value { Index node; double value; };
  * handle, the field is solved again inside the region, from the values around it brought to scale, and so on inward:
  * a handle at the end of a long tube sees a field as smooth as any other.
  *
- * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough unless the
- *         weights are mean-value
+ * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough unless
+ *         the weights are mean-value
  * \param s the surface
  * \param g its closed model
  * \param joined the same nodes with the edges of the system: `g`, or an intrinsic triangulation
@@ -36,7 +40,8 @@ struct Dirichlet_value { Index node; double value; };
  * \throws Solver_error if the system cannot be factorized or its solution is not finite
  *
  * \par Complexity
- * One assembly and one factorization, \f$ O(n^{1.5}) \f$ for a surface mesh; flat regions add one of their own size each.
+ * One assembly and one factorization, \f$ O(n^{1.5}) \f$ for a surface mesh; flat regions add one of their own size
+ * each.
  */
 template <class SolverTraits = Symmetric_solver_traits>
 Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
@@ -58,9 +63,13 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model&
   for (const auto& p : prescribed) { field.value[p.node] = (p.value - whole.offset) / whole.scale; }
 
   std::vector<Index> unknown;
-  for (Index a = 0; a < g.number_of_nodes; ++a) { if (!is_prescribed[a]) { unknown.push_back(a); } }
+  for (Index a = 0; a < g.number_of_nodes; ++a)
+  {
+    if (!is_prescribed[a]) { unknown.push_back(a); }
+  }
   internal::Laplace_system<SolverTraits> system(joined, weights);
-  system.solve(unknown, [&](Index a) { return field.value[a]; }, field.value);
+  system.solve(
+    unknown, [&](Index a) { return field.value[a]; }, field.value);
   if (highest > lowest) { internal::solve_flat_regions(s, g, system, unknown, field); }
   return field;
 }
@@ -70,7 +79,9 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model&
 template <class SolverTraits = Symmetric_solver_traits>
 Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const std::vector<double>& weights,
                                   const std::vector<Dirichlet_value>& prescribed)
-{ return solve_harmonic_field<SolverTraits>(s, g, g, weights, prescribed); }
+{
+  return solve_harmonic_field<SolverTraits>(s, g, g, weights, prescribed);
+}
 
 } // namespace meridian
 

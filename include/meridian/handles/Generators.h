@@ -2,10 +2,10 @@
 #ifndef MERIDIAN_HANDLES_GENERATORS_H
 #define MERIDIAN_HANDLES_GENERATORS_H
 
-#include <meridian/surface/Refined_surface.h>
+#include <meridian/curves/tighten_curves.h>
 #include <meridian/field/order_surface.h>
 #include <meridian/handles/select_meridians.h>
-#include <meridian/curves/tighten_curves.h>
+#include <meridian/surface/Refined_surface.h>
 
 #include <map>
 
@@ -17,10 +17,10 @@ struct Generator_options : Field_options
 {
   Preference preference = preference::gaussian_curvature;
   Levels levels = Levels::SADDLE;
-  bool is_open = false; ///< whether the field's boundary is free, so that level lines may end there
+  bool is_open = false;      ///< whether the field's boundary is free, so that level lines may end there
   bool keep_complex = false; ///< whether the quasi Morse-Smale complex of the field is kept
-  bool flow = true;    ///< whether longitudes are sought among flow lines first
-  bool tighten = true; ///< whether the curves are shortened within their classes
+  bool flow = true;          ///< whether longitudes are sought among flow lines first
+  bool tighten = true;       ///< whether the curves are shortened within their classes
   Tighten_options tightening;
   Progress_observer* observer = nullptr;
 };
@@ -51,10 +51,10 @@ inline const char* name_of(Curve_method method)
 /// on which side of its surface a curve bounds, up to homology (Dey, Li, Sun 2007).
 enum class Loop_class
 {
-  HANDLE,  ///< on the bounded side, like the meridian of a torus
-  TUNNEL,  ///< on the other side, like its longitude
+  HANDLE, ///< on the bounded side, like the meridian of a torus
+  TUNNEL, ///< on the other side, like its longitude
   NEITHER,
-  UNKNOWN  ///< the surface has a boundary, meets itself or has faces without area
+  UNKNOWN ///< the surface has a boundary, meets itself or has faces without area
 };
 
 /// \ingroup PkgMeridianGenerators
@@ -77,8 +77,8 @@ struct Generator_curve
 {
   std::vector<Index> vertices; ///< of the refined surface, the one shared by the pair first
   double length = 0;
-  double length_found = 0;     ///< before tightening
-  Index saddle = -1;           ///< the root vertex of the saddle it belongs to, or nearest to it; -1 if there is none
+  double length_found = 0; ///< before tightening
+  Index saddle = -1;       ///< the root vertex of the saddle it belongs to, or nearest to it; -1 if there is none
   Curve_method method = Curve_method::ARC;
   bool was_flow = false;                       ///< whether it was made of flow lines before it was tightened
   std::map<Index, double> field;               ///< of flow lines: the field at root vertices around, linear along edges
@@ -87,7 +87,10 @@ struct Generator_curve
 
 /// \ingroup PkgMeridianGenerators
 /// a meridian and a longitude of one handle.
-struct Generator_pair { Generator_curve meridian, longitude; };
+struct Generator_pair
+{
+  Generator_curve meridian, longitude;
+};
 
 /// \ingroup PkgMeridianGenerators
 /// generators of one connected surface, and what was counted on the way.
@@ -97,9 +100,11 @@ struct Generators : Field_summary
   std::vector<Generator_pair> pairs; ///< as many as the genus
   bool is_morse_smale = true;        ///< whether no flow line of the field joins two saddles
   int saddle_connections = 0;        ///< how many do
-  std::vector<std::vector<Point>> complex_lines; ///< the flow lines of the field, from saddle to critical point, if asked for
+  /// the flow lines of the field, from saddle to critical point, if asked for
+  std::vector<std::vector<Point>> complex_lines;
   int genus = 0, boundary_loops = 0;
-  int arcs = 0, loops = 0;           ///< with a free boundary: the meridians' level lines that end on it, and those that do not
+  /// with a free boundary: the meridians' level lines that end on it, and those that do not
+  int arcs = 0, loops = 0;
   double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
   Stage_times seconds;
 };

@@ -25,7 +25,8 @@ inline bool does_self_intersect(const Triangle_surface& s)
   for (const auto& t : s.triangles)
   {
     if (CGAL::collinear(mesh.point(Vertex(t[0])), mesh.point(Vertex(t[1])), mesh.point(Vertex(t[2])))) { return true; }
-    if (!mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])).is_valid()) { return true; } // two edges with the same ends
+    // two edges with the same ends
+    if (!mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])).is_valid()) { return true; }
   }
   return CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
 }
@@ -36,8 +37,8 @@ inline bool does_self_intersect(const Triangle_surface& s)
  * says for each curve on which side of the surface it bounds (handle and tunnel loops: Dey, Li, Sun 2007).
  *
  * A curve bounds in the space on one side, up to homology, if and only if it is not linked with any loop of the other
- * side (Alexander duality). Its linking numbers with a basis of loops through faces, pushed off the surface, are counted from one
- * projection along a direction that is infinitely little turned, with exact signs.
+ * side (Alexander duality). Its linking numbers with a basis of loops through faces, pushed off the surface, are
+ * counted from one projection along a direction that is infinitely little turned, with exact signs.
  *
  * \param root a connected surface
  * \param generators its generators; the classes are written to their curves
@@ -47,14 +48,18 @@ inline bool does_self_intersect(const Triangle_surface& s)
  * \par Complexity
  * one search for self-intersections, and for each edge of a curve the faces above and below it
  */
-inline void classify_generators(const Triangle_surface& root, Generators& generators, Progress_observer* observer = nullptr)
+inline void classify_generators(const Triangle_surface& root, Generators& generators,
+                                Progress_observer* observer = nullptr)
 {
   if (generators.pairs.empty() || generators.boundary_loops > 0) { return; }
   const internal::Stage_runner run{observer, generators.seconds};
   run(Stage::CLASSIFY, [&] {
     std::vector<std::vector<Index>> walks;
     for (const Generator_pair& pair : generators.pairs)
-      for (const Generator_curve* c : {&pair.meridian, &pair.longitude}) { walks.push_back(internal::walk_on_root(root, generators.surface, c->vertices)); }
+      for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
+      {
+        walks.push_back(internal::walk_on_root(root, generators.surface, c->vertices));
+      }
     auto meets_itself = std::async(std::launch::async, [&] { return does_self_intersect(root); });
     const std::vector<internal::Sides> sides = internal::find_bounding_sides(root, walks);
     if (meets_itself.get() || sides.empty()) { return; }

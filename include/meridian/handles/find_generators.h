@@ -2,12 +2,12 @@
 #ifndef MERIDIAN_HANDLES_FIND_GENERATORS_H
 #define MERIDIAN_HANDLES_FIND_GENERATORS_H
 
+#include <meridian/curves/place_normal_curves.h>
 #include <meridian/handles/Generators.h>
-#include <meridian/surface/fill_boundary.h>
-#include <meridian/surface/insert_curves.h>
 #include <meridian/handles/internal/arc_longitudes.h>
 #include <meridian/handles/internal/flow_longitudes.h>
-#include <meridian/curves/place_normal_curves.h>
+#include <meridian/surface/fill_boundary.h>
+#include <meridian/surface/insert_curves.h>
 
 namespace meridian {
 
@@ -37,15 +37,16 @@ inline bool is_monotone(const Refined_surface& s, const std::vector<Index>& loop
   int turns = 0;
   for (std::size_t i = 0; i < value.size(); ++i)
   {
-    const double before = value[(i + value.size() - 1) % value.size()], at = value[i], after = value[(i + 1) % value.size()];
+    const double before = value[(i + value.size() - 1) % value.size()], at = value[i],
+                 after = value[(i + 1) % value.size()];
     if (!(at < after) && !(at > after)) { return false; }
     turns += (before < at) != (at < after);
   }
   return turns == 2;
 }
 
-// The saddle that a longitude turns at on the far side of its handle: of the two extremes of the field along it, the one farther from
-// the meridian's saddle lies beyond it. Returns a vertex of `m.surface`.
+// The saddle that a longitude turns at on the far side of its handle: of the two extremes of the field along it, the
+// one farther from the meridian's saddle lies beyond it. Returns a vertex of `m.surface`.
 inline Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curves, Index longitude, Index saddle)
 {
   const Triangle_surface& root = curves.surface();
@@ -70,15 +71,18 @@ inline Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curv
 
 // A vertex of a filled surface, or the surface's vertex next to it.
 inline Index nearest_on_surface(const Triangle_surface& root, const Filled_surface* filled, Index v)
-{ return v < root.number_of_vertices() ? v : filled->surface.target(filled->surface.outgoing[v]); }
+{
+  return v < root.number_of_vertices() ? v : filled->surface.target(filled->surface.outgoing[v]);
+}
 
-// Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the second may be -1. If
-// `crossings` is given, only the edges that the curves cross are written to it. If
+// Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the
+// second may be -1. If `crossings` is given, only the edges that the curves cross are written to it. If
 // `filled` is given, `m` orders that surface.
 template <class SymmetricTraits, class GeneralTraits>
-std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
-                                                     const Stage_runner& run, Generators& g, std::vector<std::vector<Passing>>* crossings = nullptr,
-                                                     const Filled_surface* filled = nullptr)
+std::vector<std::pair<Index, Index>>
+find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
+                const Stage_runner& run, Generators& g, std::vector<std::vector<Passing>>* crossings = nullptr,
+                const Filled_surface* filled = nullptr)
 {
   std::vector<std::pair<Index, Index>> saddles;
   static_cast<Field_summary&>(g) = summarize_field(root, m, options);
@@ -87,7 +91,9 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
   Normal_curves curves(root, 2 * g.genus);
   run(Stage::MERIDIANS, [&] {
     find_meridians(filled ? filled->surface : root, m, g.genus, options.preference, search, options.levels);
-    add_contours(filled ? project_from_filled(root, *filled, m, search.chosen(), g.arcs, g.loops) : project_crossings(root, m, search.chosen()), curves);
+    add_contours(filled ? project_from_filled(root, *filled, m, search.chosen(), g.arcs, g.loops)
+                        : project_crossings(root, m, search.chosen()),
+                 curves);
     g.pairs.resize(g.genus);
     for (int i = 0; i < g.genus; ++i)
     {
@@ -110,13 +116,22 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
   });
   run(Stage::LONGITUDES, [&] {
     std::unique_ptr<Flow_longitudes<SymmetricTraits, GeneralTraits>> flow;
-    if (options.flow && !filled) { flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles, options.tighten ? 1.02 : 1.25); }
-    add_shortest_longitudes(curves, g.genus, run, [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
+    if (options.flow && !filled)
+    {
+      flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles,
+                                                                               options.tighten ? 1.02 : 1.25);
+    }
+    add_shortest_longitudes(curves, g.genus, run,
+                            [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
     check_contract(curves);
     for (int i = 0; i < g.genus; ++i)
     {
       saddles[i].second = find_far_saddle(m, curves, 2 * i + 1, saddles[i].first);
-      if (saddles[i].second >= 0 && g.pairs[i].longitude.saddle < 0) { g.pairs[i].longitude.saddle = nearest_on_surface(root, filled, root_vertex(filled ? filled->surface : root, m.surface, saddles[i].second)); }
+      if (saddles[i].second >= 0 && g.pairs[i].longitude.saddle < 0)
+      {
+        g.pairs[i].longitude.saddle =
+          nearest_on_surface(root, filled, root_vertex(filled ? filled->surface : root, m.surface, saddles[i].second));
+      }
     }
   });
   for (int i = 0; i < g.genus; ++i)
@@ -143,7 +158,8 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
       std::vector<Index> meridian = paths[2 * i], longitude = paths[2 * i + 1];
       std::vector<Index> sorted = longitude;
       std::sort(sorted.begin(), sorted.end());
-      const auto shared = std::find_if(meridian.begin(), meridian.end(), [&](Index v) { return std::binary_search(sorted.begin(), sorted.end(), v); });
+      const auto shared = std::find_if(meridian.begin(), meridian.end(),
+                                       [&](Index v) { return std::binary_search(sorted.begin(), sorted.end(), v); });
       if (shared == meridian.end()) { throw Internal_error("find_generators: a pair shares no vertex"); }
       const Index v = *shared;
       std::rotate(meridian.begin(), shared, meridian.end());
@@ -171,11 +187,12 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
  * finds a meridian and a longitude around every handle of a connected surface (Patane 2007, section 4).
  *
  * Meridians are contours of a harmonic field, chosen as for a cut. A longitude is the shortest way from one side of its
- * meridian to the other that crosses no other curve, and back along it; the shortest are taken first. One always exists: cutting
- * along disjoint meridians and arcs that join their two sides leaves the surface connected. Then all curves are tightened. If flow
- * lines are wanted, they are looked for first.
+ * meridian to the other that crosses no other curve, and back along it; the shortest are taken first. One always
+ * exists: cutting along disjoint meridians and arcs that join their two sides leaves the surface connected. Then all
+ * curves are tightened. If flow lines are wanted, they are looked for first.
  *
- * With a free boundary, level lines may be arcs; one that is part of a meridian is closed along the boundary loops it ends on.
+ * With a free boundary, level lines may be arcs; one that is part of a meridian is closed along the boundary loops it
+ * ends on.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
  *         mean-value weights
@@ -184,10 +201,10 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
  *
  * \returns the generators
  * \pre `root` is connected
- * \post there are as many pairs as the genus; each curve is simple and closed; the two of a pair share one vertex and cross there,
- *       the longitude from right to left; curves of different pairs are disjoint
- * \throws Invalid_input_error if minima and maxima coincide, Solver_error if the field cannot be solved, Cancelled if the
- *         observer says so, Internal_error if an invariant broke
+ * \post there are as many pairs as the genus; each curve is simple and closed; the two of a pair share one vertex and
+ *   cross there, the longitude from right to left; curves of different pairs are disjoint
+ * \throws Invalid_input_error if minima and maxima coincide, Solver_error if the field cannot be solved, Cancelled if
+ *   the observer says so, Internal_error if an invariant broke
  * \par Complexity
  * One factorization, and for each handle a search as far as its longitude is long.
  */

@@ -11,7 +11,8 @@ namespace meridian {
 /// what one may choose about a short basis.
 struct Basis_options
 {
-  int bases = 0;   ///< how many faces far apart loops are sought from; 0: from 16 to 96, the fewer the more faces there are
+  /// how many faces far apart loops are sought from; 0: from 16 to 96, the fewer the more faces there are
+  int bases = 0;
   bool tighten = true;
   Tighten_options tightening;
   Progress_observer* observer = nullptr;
@@ -30,12 +31,13 @@ struct Homology_basis
 
 namespace internal {
 
-// A closed curve of the root on a refined surface: through the same faces of the root, from edge to edge. Between two edges it takes
-// the shortest way through the parts of a face.
+// A closed curve of the root on a refined surface: through the same faces of the root, from edge to edge. Between two
+// edges it takes the shortest way through the parts of a face.
 class Loop_transfer
 {
 public:
-  Loop_transfer(const Triangle_surface& root, const Refined_surface& s) : m_root(root), m_surface(s), m_parts(root.number_of_faces())
+  Loop_transfer(const Triangle_surface& root, const Refined_surface& s)
+    : m_root(root), m_surface(s), m_parts(root.number_of_faces())
   {
     for (Index f = 0; f < s.number_of_faces(); ++f) { m_parts[s.face_of[f]].push_back(f); }
   }
@@ -65,11 +67,18 @@ private:
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
       {
         Root_stretch on;
-        if (m_surface.opposite[h] < 0 || !find_stretch(m_root, m_surface, h, on) || on.halfedge != c.halfedge) { continue; }
+        if (m_surface.opposite[h] < 0 || !find_stretch(m_root, m_surface, h, on) || on.halfedge != c.halfedge)
+        {
+          continue;
+        }
         if (on.lower != std::min(v, w)) { continue; }
         const bool from_lower = v < w;
-        const double from = from_lower ? on.at[0] : 1 - on.at[0], to = from_lower ? on.at[1] : 1 - on.at[1]; // along c.halfedge
-        if (best.halfedge < 0 || (from <= c.t && c.t <= to)) { best = {h, std::min(std::max((c.t - from) / (to - from), 0.05), 0.95)}; }
+        // along c.halfedge
+        const double from = from_lower ? on.at[0] : 1 - on.at[0], to = from_lower ? on.at[1] : 1 - on.at[1];
+        if (best.halfedge < 0 || (from <= c.t && c.t <= to))
+        {
+          best = {h, std::min(std::max((c.t - from) / (to - from), 0.05), 0.95)};
+        }
       }
     if (best.halfedge < 0) { throw Internal_error("transfer: an edge of the root has no part"); }
     return best;
@@ -78,7 +87,8 @@ private:
   void cross(Index entry, Index exit, std::vector<Passing>& crossings) const
   {
     const Index first = m_surface.face(entry), last = m_surface.face(exit), whole = m_surface.face_of[first];
-    std::map<Index, std::pair<double, Index>> reached{{first, {0, -1}}}; // face: distance, and the halfedge by which the one before was left
+    // face: distance, and the halfedge by which the one before was left
+    std::map<Index, std::pair<double, Index>> reached{{first, {0, -1}}};
     using Entry = std::pair<double, Index>;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
     queue.emplace(0., first);
@@ -101,7 +111,10 @@ private:
     }
     if (!reached.count(last)) { throw Internal_error("transfer: a face of the root is not connected"); }
     std::vector<Passing> way;
-    for (Index f = last; f != first; f = m_surface.face(way.back().halfedge)) { way.push_back({reached.at(f).second, 0.5}); }
+    for (Index f = last; f != first; f = m_surface.face(way.back().halfedge))
+    {
+      way.push_back({reached.at(f).second, 0.5});
+    }
     crossings.insert(crossings.end(), way.rbegin(), way.rend());
   }
 
@@ -130,12 +143,17 @@ inline Surface_curve place_loop(const Refined_surface& s, const std::vector<Pass
   for (const Passing& c : loop) { steps.push_back({c.halfedge, 0, s.edge(c.halfedge) == c.halfedge ? c.t : 1 - c.t}); }
   curves.add(0, steps);
   std::vector<Crossing> crossings;
-  for (Index x : curves.crossings(0)) { crossings.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true}); }
-  return place_crossings(s, {crossings}, true, [&](Index v) {
-           bool is_free = !s.is_boundary_vertex(v);
-           s.for_each_outgoing(v, [&](Index h) { is_free = is_free && !s.seam[h]; });
-           return is_free;
-         }).front();
+  for (Index x : curves.crossings(0))
+  {
+    crossings.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true});
+  }
+  return place_crossings(s, {crossings}, true,
+                         [&](Index v) {
+                           bool is_free = !s.is_boundary_vertex(v);
+                           s.for_each_outgoing(v, [&](Index h) { is_free = is_free && !s.seam[h]; });
+                           return is_free;
+                         })
+    .front();
 }
 
 } // namespace internal
@@ -145,9 +163,10 @@ inline Surface_curve place_loop(const Refined_surface& s, const std::vector<Pass
  *
  * finds short simple closed curves that are a basis of first homology (of the surface with its boundary loops closed).
  *
- * Loops of a tree and cotree of faces (Erickson, Whittlesey 2005) are taken from several faces far apart, and meridians and longitudes
- * beside them; they are tightened and chosen greedily, the shortest first, as long as they are independent modulo 2. So the determinant
- * over the integers is odd; that it is 1 or -1 is for `verify_generators()` to see. The curves may cross.
+ * Loops of a tree and cotree of faces (Erickson, Whittlesey 2005) are taken from several faces far apart, and meridians
+ * and longitudes beside them; they are tightened and chosen greedily, the shortest first, as long as they are
+ * independent modulo 2. So the determinant over the integers is odd; that it is 1 or -1 is for `verify_generators()` to
+ * see. The curves may cross.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param root a connected surface
@@ -175,13 +194,17 @@ Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_opt
     Generator_options pair_options;
     pair_options.flow = false;
     pair_options.tighten = options.tighten;
-    const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, pair_options, [](Stage, const auto& work) { work(); });
+    const Ordered_surface m =
+      order_surface<SymmetricTraits, GeneralTraits>(root, pair_options, [](Stage, const auto& work) { work(); });
     Generators pairs;
     pairs.genus = basis.genus;
     Stage_times ignored;
     std::vector<std::vector<internal::Passing>> crossings;
-    internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
-    loops = internal::find_dual_loops(root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted, crossings, [&](double done) { run.progress(Stage::LONGITUDES, done); });
+    internal::find_generators<SymmetricTraits, GeneralTraits>(
+      root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
+    loops = internal::find_dual_loops(
+      root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted,
+      crossings, [&](double done) { run.progress(Stage::LONGITUDES, done); });
   });
   run(Stage::TIGHTEN, [&] {
     for (std::size_t i = 0; i < loops.size() && options.tighten; ++i)
@@ -199,13 +222,22 @@ Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_opt
       std::vector<internal::Passing> crossings = internal::Loop_transfer(root, s).transfer(loop.crossings);
       if (options.tighten) { internal::tighten_loop(s, crossings, options.tightening); }
       const Surface_curve placed = internal::place_loop(s, crossings);
-      std::map<std::pair<Index, Index>, Index> divided; // an edge of an earlier curve that this one crosses: the new vertex
+      // an edge of an earlier curve that this one crosses: the new vertex
+      std::map<std::pair<Index, Index>, Index> divided;
       std::vector<std::pair<Index, Index>> ends;
-      for (const Curve_point& p : placed.points) { ends.emplace_back(p.is_vertex() ? std::make_pair(Index(-1), Index(-1)) : std::pair<Index, Index>(std::minmax({s.source(p.halfedge), s.target(p.halfedge)}))); }
+      for (const Curve_point& p : placed.points)
+      {
+        ends.emplace_back(p.is_vertex()
+                            ? std::make_pair(Index(-1), Index(-1))
+                            : std::pair<Index, Index>(std::minmax({s.source(p.halfedge), s.target(p.halfedge)})));
+      }
       curve.vertices = insert_curves(root, s, {placed}).vertices.front();
       std::map<std::pair<Index, Index>, std::vector<std::pair<double, Index>>> on;
       for (std::size_t i = 0; i < ends.size(); ++i)
-        if (ends[i].first >= 0) { on[ends[i]].emplace_back(distance(s.points[ends[i].first], s.points[curve.vertices[i]]), curve.vertices[i]); }
+        if (ends[i].first >= 0)
+        {
+          on[ends[i]].emplace_back(distance(s.points[ends[i].first], s.points[curve.vertices[i]]), curve.vertices[i]);
+        }
       for (Generator_curve& earlier : basis.loops)
       {
         std::vector<Index> path;

@@ -22,7 +22,8 @@ struct Loop_candidate
   Curvature curvature; ///< at that vertex; zero on the boundary
   double length;       ///< of the loop
   bool is_longer;      ///< whether the other loop of the saddle is shorter
-  std::function<double(const std::vector<double>&)> average; ///< \returns the mean along the loop of values at the root's vertices
+  /// \returns the mean along the loop of values at the root's vertices
+  std::function<double(const std::vector<double>&)> average;
 };
 
 /// \ingroup PkgMeridianMeridians
@@ -33,18 +34,32 @@ using Preference = std::function<double(const Loop_candidate&)>;
 /// ready-made preferences. Those that rate saddles put the longer loop of every saddle behind the shorter loops of all.
 namespace preference {
 namespace internal {
-inline double rate_saddle(double rate, const Loop_candidate& c) { return c.is_longer ? -1 / (1 + std::min(rate, 1e300)) : rate; } // rate >= 0
+// rate >= 0
+inline double rate_saddle(double rate, const Loop_candidate& c)
+{
+  return c.is_longer ? -1 / (1 + std::min(rate, 1e300)) : rate;
+}
 } // namespace internal
 /// saddles of high curvature first, whatever its sign: seams there cost little distortion (the paper's choice)
-inline double gaussian_curvature(const Loop_candidate& c) { return internal::rate_saddle(std::abs(c.curvature.gaussian), c); }
+inline double gaussian_curvature(const Loop_candidate& c)
+{
+  return internal::rate_saddle(std::abs(c.curvature.gaussian), c);
+}
 /// saddles of high mean curvature first, whatever its sign
 inline double mean_curvature(const Loop_candidate& c) { return internal::rate_saddle(std::abs(c.curvature.mean), c); }
 /// short loops first
 inline double short_length(const Loop_candidate& c) { return -c.length; }
-/// loops first that run where `weight` is low: one number a vertex of the root, such as `visibility()` or what marks a region to keep away from
-inline Preference low_weight(std::vector<double> weight) { return [weight = std::move(weight)](const Loop_candidate& c) { return -c.average(weight); }; }
+/// loops first that run where `weight` is low: one number a vertex of the root, such as `visibility()` or what marks a
+/// region to keep away from
+inline Preference low_weight(std::vector<double> weight)
+{
+  return [weight = std::move(weight)](const Loop_candidate& c) { return -c.average(weight); };
+}
 /// loops whose saddles lie far out in direction `d` first
-inline Preference position(const Point& d) { return [d](const Loop_candidate& c) { return dot(c.position, d); }; }
+inline Preference position(const Point& d)
+{
+  return [d](const Loop_candidate& c) { return dot(c.position, d); };
+}
 } // namespace preference
 
 /// \ingroup PkgMeridianMeridians
@@ -58,7 +73,8 @@ struct Meridian_choice
 
 /// \ingroup PkgMeridianMeridians
 /// \returns the candidates' places, the most preferred first: by rate, then length, then place
-inline std::vector<std::size_t> rank_by_preference(const std::vector<Loop_candidate>& candidates, const Preference& rate)
+inline std::vector<std::size_t> rank_by_preference(const std::vector<Loop_candidate>& candidates,
+                                                   const Preference& rate)
 {
   std::vector<std::pair<double, double>> key;
   for (const auto& c : candidates)
@@ -98,7 +114,10 @@ inline std::vector<Meridian_choice> select_meridians(const Ordered_surface& m, c
   const Refined_surface& s = m.surface;
   const Index n = s.number_of_vertices();
   // The gaps between crossings along an edge are parts of pieces too; the first and the last belong to its ends.
-  struct Crossing { Index edge, level, id; };
+  struct Crossing
+  {
+    Index edge, level, id;
+  };
   std::vector<Crossing> crossings;
   Index ids = 0;
   for (const Contour& loop : loops)
@@ -185,10 +204,12 @@ struct Meridian_search
 namespace internal {
 
 // The mean of values at the root's vertices along a contour: linear along the edges of the root, by length.
-inline double average_along(const Triangle_surface& root, const Ordered_surface& m, const Contour& loop, const std::vector<double>& values)
+inline double average_along(const Triangle_surface& root, const Ordered_surface& m, const Contour& loop,
+                            const std::vector<double>& values)
 {
   double sum = 0, whole = 0;
-  const auto at = [&](Index v) { return v < static_cast<Index>(values.size()) ? values[v] : 0; }; // the middle of a filled hole has none
+  // the middle of a filled hole has none
+  const auto at = [&](Index v) { return v < static_cast<Index>(values.size()) ? values[v] : 0; };
   const auto value = [&](Index v) {
     const Origin o = m.surface.origin(v);
     if (o.kind == Origin::VERTEX) { return at(o.index[0]); }
@@ -217,26 +238,32 @@ inline double average_along(const Triangle_surface& root, const Ordered_surface&
 } // namespace internal
 
 /// \ingroup PkgMeridianMeridians
-/// rates the loops of `search` and chooses as many meridians as the genus; moves those to the tightest level if that is wanted.
+/// rates the loops of `search` and chooses as many meridians as the genus; moves those to the tightest level if that is
+/// wanted.
 /// \throws Internal_error if there are not as many
 /// \par Complexity
 /// that of `select_meridians()`
-inline void find_meridians(const Triangle_surface& root, const Ordered_surface& m, int genus, const Preference& preference,
-                           Meridian_search& search, Levels levels = Levels::SADDLE)
+inline void find_meridians(const Triangle_surface& root, const Ordered_surface& m, int genus,
+                           const Preference& preference, Meridian_search& search, Levels levels = Levels::SADDLE)
 {
   for (const Contour& loop : search.loops)
   {
     const Index v = root_vertex(root, m.surface, loop.saddle);
-    search.candidates.push_back({v, root.points[v], curvature(root, v), length(m, loop), loop.is_longer,
-                                 [&](const std::vector<double>& values) { return internal::average_along(root, m, loop, values); }});
+    search.candidates.push_back(
+      {v, root.points[v], curvature(root, v), length(m, loop), loop.is_longer,
+       [&](const std::vector<double>& values) { return internal::average_along(root, m, loop, values); }});
   }
   search.choices = select_meridians(m, search.loops, rank_by_preference(search.candidates, preference));
   if (static_cast<int>(search.choices.size()) != genus)
-    throw Internal_error("find_meridians: " + std::to_string(search.choices.size()) + " meridians on a surface of genus " + std::to_string(genus));
+    throw Internal_error("find_meridians: " + std::to_string(search.choices.size())
+                         + " meridians on a surface of genus " + std::to_string(genus));
   if (levels == Levels::SADDLE) { return; }
   std::vector<char> is_critical(m.graph.number_of_nodes, 0);
   for (const Critical_point& p : find_critical_points(m.surface, m.rank)) { is_critical[m.graph.node[p.vertex]] = 1; }
-  for (const auto& choice : search.choices) { search.loops[choice.loop] = find_tightest_contour(m, search.loops[choice.loop], is_critical); }
+  for (const auto& choice : search.choices)
+  {
+    search.loops[choice.loop] = find_tightest_contour(m, search.loops[choice.loop], is_critical);
+  }
 }
 
 } // namespace meridian

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_MAP_PARAMETERIZATION_H
 #define MERIDIAN_MAP_PARAMETERIZATION_H
 
-#include <meridian/map/distortion.h>
 #include <meridian/field/solver_traits.h>
+#include <meridian/map/distortion.h>
 
 #include <functional>
 #include <string>
@@ -26,26 +26,36 @@ enum class Map_method
 };
 
 /// \ingroup PkgMeridianParameterization
-/// where the border of the disc goes. `FREE` is for `SYMMETRIC_DIRICHLET`, `LSCM` and `ARAP`, which last two have no other; it means
-/// `CIRCLE` to the others.
-enum class Map_border { FREE, CIRCLE, SQUARE };
+/// where the border of the disc goes. `FREE` is for `SYMMETRIC_DIRICHLET`, `LSCM` and `ARAP`, which last two have no
+/// other; it means `CIRCLE` to the others.
+enum class Map_border
+{
+  FREE,
+  CIRCLE,
+  SQUARE
+};
 
 /// \ingroup PkgMeridianParameterization
 /// all methods, the default first.
-constexpr std::array<Map_method, 9> map_methods{Map_method::SYMMETRIC_DIRICHLET, Map_method::POSITIVE, Map_method::STRETCH, Map_method::MEAN_VALUE, Map_method::TUTTE,
-                                                Map_method::CONFORMAL, Map_method::AUTHALIC, Map_method::LSCM, Map_method::ARAP};
+constexpr std::array<Map_method, 9> map_methods{
+  Map_method::SYMMETRIC_DIRICHLET, Map_method::POSITIVE, Map_method::STRETCH, Map_method::MEAN_VALUE, Map_method::TUTTE,
+  Map_method::CONFORMAL,           Map_method::AUTHALIC, Map_method::LSCM,    Map_method::ARAP};
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the name of a method as it stands in reports
 inline const char* name_of(Map_method method)
 {
-  constexpr std::array<const char*, 9> names{"symmetric-dirichlet", "positive", "stretch", "mean-value", "tutte", "conformal", "authalic", "lscm", "arap"};
+  constexpr std::array<const char*, 9> names{"symmetric-dirichlet", "positive", "stretch", "mean-value", "tutte",
+                                             "conformal",           "authalic", "lscm",    "arap"};
   return names[static_cast<std::size_t>(method)];
 }
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the name of a border as it stands in reports
-inline const char* name_of(Map_border border) { return border == Map_border::FREE ? "free" : border == Map_border::CIRCLE ? "circle" : "square"; }
+inline const char* name_of(Map_border border)
+{
+  return border == Map_border::FREE ? "free" : border == Map_border::CIRCLE ? "circle" : "square";
+}
 
 /// \ingroup PkgMeridianParameterization
 /// what one may choose about a map.
@@ -53,9 +63,10 @@ struct Map_options
 {
   Map_method method = Map_method::SYMMETRIC_DIRICHLET;
   Map_border border = Map_border::FREE;
-  std::vector<Index> loop = {};              ///< the border as halfedges, counterclockwise, and
-  std::vector<Plane_point> polygon = {};     ///< where the source of each goes, on a convex polygon, in place of a circle or square; or both empty.
-                                             ///< For `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
+  std::vector<Index> loop = {}; ///< the border as halfedges, counterclockwise, and
+  /// where the source of each goes, on a convex polygon, in place of a circle or square; or both empty. For
+  /// `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
+  std::vector<Plane_point> polygon = {};
   std::function<void(double)> progress = {}; ///< receives the part done; may throw to cancel
 };
 
@@ -73,12 +84,15 @@ struct Map_attempt
 /// a map of a disc into the plane.
 struct Parameterization
 {
-  std::vector<Plane_point> at;       ///< the image of each vertex, in the unit square, as a multiple of 2^-50: what is counted of it holds wherever it is put
+  /// the image of each vertex, in the unit square, as a multiple of 2^-50: what is counted of it holds wherever it is
+  /// put
+  std::vector<Plane_point> at;
   Map_method method = Map_method::SYMMETRIC_DIRICHLET; ///< that was used
   Map_border border = Map_border::FREE;
-  std::vector<Map_attempt> attempts; ///< the last is the one used, unless all had flipped faces; then that with the fewest
-  std::vector<Index> flipped;        ///< the faces turned over or without area, exactly
-  bool is_one_to_one = false;        ///< whether no face is flipped and the border does not meet itself, exactly
+  /// the last is the one used, unless all had flipped faces; then that with the fewest
+  std::vector<Map_attempt> attempts;
+  std::vector<Index> flipped; ///< the faces turned over or without area, exactly
+  bool is_one_to_one = false; ///< whether no face is flipped and the border does not meet itself, exactly
   std::vector<Face_distortion> faces;
   Distortion distortion;
 };
@@ -88,9 +102,10 @@ struct Parameterization
  *
  * maps a disc into the plane.
  *
- * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a free border, then
- * averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with weights changed until stretch is low; after a
- * square, whose sides may hold all corners of a face, a circle, unless a polygon is given.
+ * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a
+ * free border, then averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with
+ * weights changed until stretch is low; after a square, whose sides may hold all corners of a face, a circle, unless a
+ * polygon is given.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
@@ -99,7 +114,8 @@ struct Parameterization
  * \returns the first map without flipped faces, or, if there is none, that with the fewest
  * \pre `disc` is a disc
  * \par Complexity
- * One factorization for linear methods, two for each step of `ARAP`, and one of twice the size for each of `SYMMETRIC_DIRICHLET`.
+ * One factorization for linear methods, two for each step of `ARAP`, and one of twice the size for each of
+ * `SYMMETRIC_DIRICHLET`.
  */
 template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options = Map_options());

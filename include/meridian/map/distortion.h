@@ -10,7 +10,8 @@ namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
 /// how a map between a face and the plane distorts, when the whole image is scaled to the area of the surface. With
-/// \f$ \Gamma \ge \gamma \f$, the singular values of the map from the plane to the surface (Sander, Snyder, Gortler, Hoppe 2001):
+/// \f$ \Gamma \ge \gamma \f$, the singular values of the map from the plane to the surface (Sander, Snyder, Gortler,
+/// Hoppe 2001):
 struct Face_distortion
 {
   double stretch_l2 = 1;   ///< \f$ \sqrt{(\Gamma^2 + \gamma^2) / 2} \f$
@@ -25,10 +26,11 @@ struct Distortion
 {
   double stretch_l2 = 1;   ///< root of the mean square, by area on the surface; 1 for an isometry
   double stretch_linf = 1; ///< the largest of all faces
-  double angle = 0;        ///< mean difference of a corner's angles on the surface and in the plane, in radians, by area
-  double area = 0;         ///< sum of |share of the surface's area - share of the image's area|, 0 to 2
-  double conformal = 1;    ///< mean of \f$ \Gamma / \gamma \f$, by area
-  double areal = 1;        ///< mean of the larger of \f$ \Gamma \gamma \f$ and its inverse, by area
+  /// mean difference of a corner's angles on the surface and in the plane, in radians, by area
+  double angle = 0;
+  double area = 0;      ///< sum of |share of the surface's area - share of the image's area|, 0 to 2
+  double conformal = 1; ///< mean of \f$ \Gamma / \gamma \f$, by area
+  double areal = 1;     ///< mean of the larger of \f$ \Gamma \gamma \f$ and its inverse, by area
 };
 
 /*!
@@ -40,7 +42,8 @@ struct Distortion
  * \par Complexity
  * Linear.
  */
-inline std::vector<Face_distortion> measure_faces(const std::vector<Point>& points, const std::vector<std::array<Index, 3>>& triangles,
+inline std::vector<Face_distortion> measure_faces(const std::vector<Point>& points,
+                                                  const std::vector<std::array<Index, 3>>& triangles,
                                                   const std::vector<Plane_point>& at)
 {
   double area = 0;
@@ -76,15 +79,17 @@ inline std::vector<Face_distortion> measure_faces(const std::vector<Point>& poin
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * \returns the distortion of a map; that of an isometry if the surface has no area. Faces without area count nowhere but in the largest stretch.
+ * \returns the distortion of a map; that of an isometry if the surface has no area. Faces without area count nowhere
+ *          but in the largest stretch.
  * \param points, triangles the surface
  * \param at the image of each vertex
  * \param faces what `measure_faces()` found
  * \par Complexity
  * Linear.
  */
-inline Distortion measure_distortion(const std::vector<Point>& points, const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at,
-                                     const std::vector<Face_distortion>& faces)
+inline Distortion measure_distortion(const std::vector<Point>& points,
+                                     const std::vector<std::array<Index, 3>>& triangles,
+                                     const std::vector<Plane_point>& at, const std::vector<Face_distortion>& faces)
 {
   Distortion total{0, 0, 0, 0, 0, 0};
   const double plane = area_of(triangles, at);
@@ -111,7 +116,8 @@ inline Distortion measure_distortion(const std::vector<Point>& points, const std
       const Index u = t[k], v = t[(k + 1) % 3], w = t[(k + 2) % 3];
       const Point e = points[v] - points[u], g = points[w] - points[u];
       const Plane_point p = at[v] - at[u], q = at[w] - at[u];
-      total.angle += share / 3 * std::abs(std::atan2(norm(cross(e, g)), dot(e, g)) - std::atan2(cross(p, q), dot(p, q)));
+      total.angle +=
+        share / 3 * std::abs(std::atan2(norm(cross(e, g)), dot(e, g)) - std::atan2(cross(p, q), dot(p, q)));
     }
   }
   total.stretch_l2 = std::sqrt(total.stretch_l2);

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_MAP_EMBED_IN_PLANE_H
 #define MERIDIAN_MAP_EMBED_IN_PLANE_H
 
-#include <meridian/map/map_into_polygon.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/map/map_into_polygon.h>
 
 namespace meridian {
 
@@ -21,9 +21,9 @@ struct Planar_embedding
  *
  * embeds a connected bordered surface of genus 0 in the plane (Tutte 1963, with symmetric positive weights).
  *
- * The longest boundary loop becomes a circle; the others are filled with a fan around a new vertex, so that the whole is
- * a disc. In exact arithmetic no face can be turned over; in double precision faces at the end of long tubes underflow,
- * which the exact orientation predicate tells.
+ * The longest boundary loop becomes a circle; the others are filled with a fan around a new vertex, so that the whole
+ * is a disc. In exact arithmetic no face can be turned over; in double precision faces at the end of long tubes
+ * underflow, which the exact orientation predicate tells.
  *
  * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param s the surface
@@ -33,8 +33,7 @@ struct Planar_embedding
  * \par Complexity
  * One factorization.
  */
-template <class SymmetricTraits = Symmetric_solver_traits>
-Planar_embedding embed_in_plane(const Triangle_surface& s)
+template <class SymmetricTraits = Symmetric_solver_traits> Planar_embedding embed_in_plane(const Triangle_surface& s)
 {
   const auto loops = boundary_loops(s);
   const auto length_of = [&](const std::vector<Index>& loop) {
@@ -43,7 +42,10 @@ Planar_embedding embed_in_plane(const Triangle_surface& s)
     return sum;
   };
   std::size_t outer = 0;
-  for (std::size_t i = 1; i < loops.size(); ++i) { if (length_of(loops[i]) > length_of(loops[outer])) { outer = i; } }
+  for (std::size_t i = 1; i < loops.size(); ++i)
+  {
+    if (length_of(loops[i]) > length_of(loops[outer])) { outer = i; }
+  }
 
   Triangle_surface filled;
   filled.points = s.points;
@@ -62,7 +64,8 @@ Planar_embedding embed_in_plane(const Triangle_surface& s)
   }
   connect(filled);
 
-  const auto at = map_into_polygon<SymmetricTraits>(filled, edge_weights(filled, Weights::POSITIVE), loops[outer], place_on_circle(places_along(s, loops[outer])));
+  const auto at = map_into_polygon<SymmetricTraits>(filled, edge_weights(filled, Weights::POSITIVE), loops[outer],
+                                                    place_on_circle(places_along(s, loops[outer])));
   Planar_embedding embedding;
   for (const auto& p : at) { embedding.points.emplace_back(p[0], p[1]); }
   embedding.is_valid = find_flipped_faces(filled.triangles, at).empty();

@@ -2,16 +2,16 @@
 #ifndef MERIDIAN_MAP_MAP_INTO_POLYGON_H
 #define MERIDIAN_MAP_MAP_INTO_POLYGON_H
 
-#include <meridian/surface/Closed_model.h>
 #include <meridian/field/Laplace_system.h>
-#include <meridian/map/planar_map.h>
 #include <meridian/field/solver_traits.h>
+#include <meridian/map/planar_map.h>
+#include <meridian/surface/Closed_model.h>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// \returns for each halfedge of a boundary loop where along the loop it begins, from 0 to 1: half by length and half by number, so
-///          that edges without length have a place too
+/// \returns for each halfedge of a boundary loop where along the loop it begins, from 0 to 1: half by length and half
+///          by number, so that edges without length have a place too
 inline std::vector<double> places_along(const Triangle_surface& s, const std::vector<Index>& loop)
 {
   double whole = 0;
@@ -39,9 +39,11 @@ inline std::vector<Plane_point> place_on_circle(const std::vector<double>& place
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * maps a disc into a convex polygon so that every inner vertex is the average of its neighbours (Tutte 1963; Floater 1997).
+ * maps a disc into a convex polygon so that every inner vertex is the average of its neighbours (Tutte 1963; Floater
+ * 1997).
  *
- * With positive weights and no chord that joins two points of one side of the polygon, no face is turned over in exact arithmetic.
+ * With positive weights and no chord that joins two points of one side of the polygon, no face is turned over in exact
+ * arithmetic.
  *
  * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
@@ -55,8 +57,8 @@ inline std::vector<Plane_point> place_on_circle(const std::vector<double>& place
  * One factorization.
  */
 template <class SymmetricTraits = Symmetric_solver_traits>
-std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const std::vector<double>& weights, const std::vector<Index>& loop,
-                                          const std::vector<Plane_point>& border)
+std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const std::vector<double>& weights,
+                                          const std::vector<Index>& loop, const std::vector<Plane_point>& border)
 {
   const Index n = disc.number_of_vertices();
   std::vector<Plane_point> at(n, {0, 0});
@@ -80,9 +82,13 @@ std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const st
     g.halfedge[i] = h;
     g.neighbor[i] = disc.target(h);
   }
-  for (Index v = 0; v < n; ++v) { if (!is_border[v]) { inner.push_back(v); } }
+  for (Index v = 0; v < n; ++v)
+  {
+    if (!is_border[v]) { inner.push_back(v); }
+  }
   internal::Laplace_system<SymmetricTraits> system(g, weights);
-  system.template solve<2>(inner, [&](Index v) { return at[v]; }, [&](Index v, int i, double x) { at[v][i] = x; });
+  system.template solve<2>(
+    inner, [&](Index v) { return at[v]; }, [&](Index v, int i, double x) { at[v][i] = x; });
   return at;
 }
 

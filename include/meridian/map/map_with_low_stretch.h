@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_MAP_MAP_WITH_LOW_STRETCH_H
 #define MERIDIAN_MAP_MAP_WITH_LOW_STRETCH_H
 
-#include <meridian/map/map_into_polygon.h>
-#include <meridian/map/distortion.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/map/distortion.h>
+#include <meridian/map/map_into_polygon.h>
 
 namespace meridian {
 namespace internal {
@@ -35,15 +35,16 @@ inline std::vector<double> stretch_at_vertices(const Triangle_surface& disc, con
   return sum;
 }
 
-// How much longer edges are on the surface than in the plane, averaged at each vertex over the area of its faces. Finite on every map, and larger the more
-// of it lies in one point.
+// How much longer edges are on the surface than in the plane, averaged at each vertex over the area of its faces.
+// Finite on every map, and larger the more of it lies in one point.
 inline std::vector<double> edge_stretch_at_vertices(const Triangle_surface& disc, const std::vector<Plane_point>& at)
 {
   double size = 0, image = 0;
   for (Index h = 0; h < disc.number_of_halfedges(); ++h)
   {
     const Plane_point d = at[disc.target(h)] - at[disc.source(h)];
-    size += dot(disc.points[disc.target(h)] - disc.points[disc.source(h)], disc.points[disc.target(h)] - disc.points[disc.source(h)]);
+    size += dot(disc.points[disc.target(h)] - disc.points[disc.source(h)],
+                disc.points[disc.target(h)] - disc.points[disc.source(h)]);
     image += dot(d, d);
   }
   size /= std::max<Index>(disc.number_of_halfedges(), 1);
@@ -60,7 +61,8 @@ inline std::vector<double> edge_stretch_at_vertices(const Triangle_surface& disc
       there += dot(e, e);
       here += dot(d, d);
     }
-    const double weight = norm(cross(disc.points[t[1]] - disc.points[t[0]], disc.points[t[2]] - disc.points[t[0]])) + 1e-6 * size;
+    const double weight =
+      norm(cross(disc.points[t[1]] - disc.points[t[0]], disc.points[t[2]] - disc.points[t[0]])) + 1e-6 * size;
     for (Index v : t)
     {
       sum[v] += weight * (here > 0 ? std::sqrt(there / here) : 1);
@@ -79,7 +81,10 @@ struct Stretched_map
   std::size_t flips = 0;
   double stretch = 0; // mean square, by area
 
-  bool is_better_than(const Stretched_map& other) const { return flips != other.flips ? flips < other.flips : stretch < other.stretch; }
+  bool is_better_than(const Stretched_map& other) const
+  {
+    return flips != other.flips ? flips < other.flips : stretch < other.stretch;
+  }
 };
 
 inline Stretched_map judge_map(const Triangle_surface& disc, std::vector<Plane_point> at)
@@ -101,14 +106,15 @@ inline Stretched_map judge_map(const Triangle_surface& disc, std::vector<Plane_p
 
 // The best map that comes of some weights.
 template <class SymmetricTraits>
-Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> weights, const std::vector<Index>& loop, const std::vector<Plane_point>& border,
-                            int steps)
+Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> weights, const std::vector<Index>& loop,
+                            const std::vector<Plane_point>& border, int steps)
 {
   Stretched_map best = judge_map(disc, map_into_polygon<SymmetricTraits>(disc, weights, loop, border)), last = best;
   double power = 1;
   for (int i = 0; (i < steps || (best.flips > 0 && i < 8)) && power > 0.2; ++i)
   {
-    const auto stretch = last.flips > 0 ? edge_stretch_at_vertices(disc, last.at) : stretch_at_vertices(disc, last.faces);
+    const auto stretch =
+      last.flips > 0 ? edge_stretch_at_vertices(disc, last.at) : stretch_at_vertices(disc, last.faces);
     std::vector<double> next = weights;
     double largest = 0;
     for (Index h = 0; h < disc.number_of_halfedges(); ++h)
@@ -118,11 +124,22 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
     }
     for (double& w : next) { w = std::max(w / largest, 1e-280); }
     Stretched_map now;
-    try { now = judge_map(disc, map_into_polygon<SymmetricTraits>(disc, next, loop, border)); }
-    catch (const Solver_error&) { power /= 2; continue; }
+    try
+    {
+      now = judge_map(disc, map_into_polygon<SymmetricTraits>(disc, next, loop, border));
+    }
+    catch (const Solver_error&)
+    {
+      power /= 2;
+      continue;
+    }
     const bool is_better = now.is_better_than(best);
     if (is_better) { best = now; }
-    else if (best.flips == 0) { power /= 2; continue; } // flips may pass where the map goes on
+    else if (best.flips == 0)
+    {
+      power /= 2;
+      continue;
+    } // flips may pass where the map goes on
     weights = std::move(next);
     last = std::move(now);
   }
@@ -136,10 +153,11 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
  *
  * maps a disc into a convex polygon with low stretch, so that no part of the surface becomes small.
  *
- * It begins with positive weights. The weight of every edge is then divided by the geometric mean of the L2 stretch at its ends, a symmetric
- * form of the step of Yoshizawa, Belyaev and Seidel (2004), and the disc is mapped again. A step that raises the stretch, or turns a face over,
- * is taken back and its exponent halved. If no map without flipped faces is found so, equal weights are tried. Stretch is the root of the mean
- * square of all faces by area; faces of more than 1000 count as 1000.
+ * It begins with positive weights. The weight of every edge is then divided by the geometric mean of the L2 stretch at
+ * its ends, a symmetric form of the step of Yoshizawa, Belyaev and Seidel (2004), and the disc is mapped again. A step
+ * that raises the stretch, or turns a face over, is taken back and its exponent halved. If no map without flipped faces
+ * is found so, equal weights are tried. Stretch is the root of the mean square of all faces by area; faces of more than
+ * 1000 count as 1000.
  *
  * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
@@ -147,15 +165,16 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
  * \param border the image of each halfedge's source, on a convex polygon, counterclockwise
  * \param steps how often weights are changed at most, once no face is flipped; until then up to 8 times
  *
- * \returns the image of each vertex: of the maps without flipped faces that of the least stretch; if there is none, that with the fewest
+ * \returns the image of each vertex: of the maps without flipped faces that of the least stretch; if there is none,
+ *          that with the fewest
  * \pre no inner edge joins two points of one side of the polygon
  * \throws Solver_error if neither the positive nor the equal weights give a system that can be solved
  * \par Complexity
  * One factorization a step.
  */
 template <class SymmetricTraits = Symmetric_solver_traits>
-std::vector<Plane_point> map_with_low_stretch(const Triangle_surface& disc, const std::vector<Index>& loop, const std::vector<Plane_point>& border,
-                                              int steps = 20)
+std::vector<Plane_point> map_with_low_stretch(const Triangle_surface& disc, const std::vector<Index>& loop,
+                                              const std::vector<Plane_point>& border, int steps = 20)
 {
   internal::Stretched_map best;
   for (const bool is_equal : {false, true})
@@ -164,11 +183,15 @@ std::vector<Plane_point> map_with_low_stretch(const Triangle_surface& disc, cons
     if (!is_equal) { weights = edge_weights(disc, Weights::POSITIVE); }
     try
     {
-      internal::Stretched_map found = internal::lower_stretch<SymmetricTraits>(disc, std::move(weights), loop, border, steps);
+      internal::Stretched_map found =
+        internal::lower_stretch<SymmetricTraits>(disc, std::move(weights), loop, border, steps);
       if (best.at.empty() || found.is_better_than(best)) { best = std::move(found); }
       if (best.flips == 0) { break; }
     }
-    catch (const Solver_error&) { if (is_equal && best.at.empty()) { throw; } }
+    catch (const Solver_error&)
+    {
+      if (is_equal && best.at.empty()) { throw; }
+    }
   }
   return std::move(best.at);
 }

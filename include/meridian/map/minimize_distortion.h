@@ -3,9 +3,9 @@
 #define MERIDIAN_MAP_MINIMIZE_DISTORTION_H
 
 #include <meridian/base/exceptions.h>
+#include <meridian/field/solver_traits.h>
 #include <meridian/map/internal/dirichlet_energy.h>
 #include <meridian/map/internal/scaffold.h>
-#include <meridian/field/solver_traits.h>
 
 #include <CGAL/Polygon_2_algorithms.h>
 
@@ -18,8 +18,9 @@ namespace meridian {
 /// when `minimize_distortion()` ends.
 struct Distortion_options
 {
-  int iterations = 100;                      ///< at most
-  double least_gain = 5e-4;                  ///< it ends when no more than this part of the energy can be gained by a step
+  int iterations = 100; ///< at most
+  /// it ends when no more than this part of the energy can be gained by a step
+  double least_gain = 5e-4;
   bool has_free_border = true;               ///< whether the border may move
   std::function<void(double)> progress = {}; ///< receives the part of `iterations` done; may throw to cancel
 };
@@ -34,7 +35,8 @@ inline bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_po
 }
 
 /// \ingroup PkgMeridianParameterization
-/// \returns whether a map of a disc is one-to-one: no face is turned over or without area, and the border does not meet itself. Decided exactly.
+/// \returns whether a map of a disc is one-to-one: no face is turned over or without area, and the border does not meet
+///          itself. Decided exactly.
 inline bool is_one_to_one(const Triangle_surface& disc, const std::vector<Plane_point>& at)
 {
   std::vector<Index> polygon;
@@ -45,7 +47,8 @@ inline bool is_one_to_one(const Triangle_surface& disc, const std::vector<Plane_
 
 namespace internal {
 
-// The shapes that faces should have in the plane: their own, if they have one. Faces that are all but degenerate are made a little higher.
+// The shapes that faces should have in the plane: their own, if they have one. Faces that are all but degenerate are
+// made a little higher.
 inline std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s)
 {
   double mean = 0;
@@ -55,9 +58,13 @@ inline std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s)
   for (Index f = 0; f < s.number_of_faces(); ++f)
   {
     Index base = 3 * f;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h) { if (s.length(h) > s.length(base)) { base = h; } }
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (s.length(h) > s.length(base)) { base = h; }
+    }
     const double longest = s.length(base), b = std::max(longest, 1e-4 * mean);
-    const Point e = s.points[s.target(base)] - s.points[s.source(base)], d = s.points[s.apex(base)] - s.points[s.source(base)];
+    const Point e = s.points[s.target(base)] - s.points[s.source(base)],
+                d = s.points[s.apex(base)] - s.points[s.source(base)];
     const double x = longest > 0 ? std::min(std::max(dot(e, d) / longest, 0.), b) : b / 2;
     const double y = std::max(longest > 0 ? norm(meridian::cross(e, d)) / longest : 0, 1e-3 * b);
     rest.push_back(make_rest_triangle({s.source(base), s.target(base), s.apex(base)}, b, x, y));
@@ -76,16 +83,19 @@ inline Rest_triangle rest_as_is(const std::array<Index, 3>& t, const std::vector
 }
 
 // Newton's method on the map of a disc. Its border stays where it is, or moves and is kept a simple polygon.
-template <class SymmetricTraits>
-class Distortion_minimizer
+template <class SymmetricTraits> class Distortion_minimizer
 {
 public:
   Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at)
-    : m_at(at), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)), m_row(at.size() + 4, -1) // 4: the corners of the box do not move
+    // 4: the corners of the box do not move
+    : m_at(at), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)), m_row(at.size() + 4, -1)
   {
     const auto loops = boundary_loops(disc);
     for (Index h : loops.front()) { m_loop.push_back(disc.source(h)); }
-    for (Index v = 0; v < disc.number_of_vertices(); ++v) { if (has_free_border || !disc.is_boundary_vertex(v)) { m_row[v] = m_rows++; } }
+    for (Index v = 0; v < disc.number_of_vertices(); ++v)
+    {
+      if (has_free_border || !disc.is_boundary_vertex(v)) { m_row[v] = m_rows++; }
+    }
     double image = 0;
     for (const Rest_triangle& t : m_faces)
     {
@@ -94,7 +104,10 @@ public:
     }
     // It is the surface that is scaled, so that a border that is fixed stays to the bit.
     const double scale = std::sqrt(m_area / image);
-    for (Rest_triangle& t : m_faces) { for (Plane_point& g : t.gradients) { g = scale * g; } }
+    for (Rest_triangle& t : m_faces)
+    {
+      for (Plane_point& g : t.gradients) { g = scale * g; }
+    }
   }
 
   // Moves the points. Returns the part of the energy that the step could have gained, if nothing had been in its way.
@@ -105,7 +118,10 @@ public:
     std::vector<Plane_point> with_box = m_at;
     // What is outside resists being squeezed. Its triangles are made anew for each step, so they can give way.
     m_outside.clear();
-    if (m_has_free_border) { for (const auto& t : triangulate_outside(m_loop, with_box)) { m_outside.push_back(rest_as_is(t, with_box)); } }
+    if (m_has_free_border)
+    {
+      for (const auto& t : triangulate_outside(m_loop, with_box)) { m_outside.push_back(rest_as_is(t, with_box)); }
+    }
     for (Rest_triangle& t : m_outside) { t.weight = m_resistance * m_area / static_cast<double>(m_outside.size()); }
     std::vector<Plane_point> move(with_box.size(), {0, 0});
     const double slope = find_direction(with_box, move);
@@ -129,8 +145,14 @@ public:
         was_safe = true;
       }
       for (std::size_t i = 0; i < n; ++i) { next[i] = m_at[i] + length * move[i]; }
-      const auto is_turned = [&](const Rest_triangle& t) { return orientation_of(next[t.corners[0]], next[t.corners[1]], next[t.corners[2]]) <= 0; };
-      if (!(energy(next) < before) || std::any_of(m_faces.begin(), m_faces.end(), is_turned) || (m_has_free_border && !is_simple(m_loop, next))) { continue; }
+      const auto is_turned = [&](const Rest_triangle& t) {
+        return orientation_of(next[t.corners[0]], next[t.corners[1]], next[t.corners[2]]) <= 0;
+      };
+      if (!(energy(next) < before) || std::any_of(m_faces.begin(), m_faces.end(), is_turned)
+          || (m_has_free_border && !is_simple(m_loop, next)))
+      {
+        continue;
+      }
       m_at.swap(next);
       if (length < 0.4) { m_resistance = std::min(8 * m_resistance, 100.); }
       if (length > 0.8) { m_resistance = std::max(m_resistance / 2, 1e-6); }
@@ -183,7 +205,9 @@ private:
       SymmetricTraits solver;
       if (solver.factor(hessian, denominator) && solver.linear_solver(right, solution)) { break; }
       if (tries == 6)
-        throw Solver_error("the system of " + std::to_string(unknowns) + " equations for a map of low distortion cannot be factorized; a map into a circle needs less");
+        throw Solver_error(
+          "the system of " + std::to_string(unknowns)
+          + " equations for a map of low distortion cannot be factorized; a map into a circle needs less");
     }
     double slope = 0;
     for (std::size_t v = 0; v < m_at.size(); ++v)
@@ -213,10 +237,11 @@ private:
  *
  * lowers the distortion of a map.
  *
- * The symmetric Dirichlet energy (Smith, Schaefer 2015) is minimized by Newton's method with the Hessian's negative part left out (Smith, de Goes, Kim 2019).
- * If the border may move, the plane outside of the image is triangulated and resists too, so that it does not run into itself (Jiang, Schaefer, Panozzo
- * 2017). A step is taken only if no face is turned over and the border is a simple polygon, both decided exactly: then the map
- * is one-to-one. The surface is thought scaled to the area that the image has at the beginning.
+ * The symmetric Dirichlet energy (Smith, Schaefer 2015) is minimized by Newton's method with the Hessian's negative
+ * part left out (Smith, de Goes, Kim 2019). If the border may move, the plane outside of the image is triangulated and
+ * resists too, so that it does not run into itself (Jiang, Schaefer, Panozzo 2017). A step is taken only if no face is
+ * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
+ * thought scaled to the area that the image has at the beginning.
  *
  * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
@@ -229,7 +254,8 @@ private:
  * One factorization of twice as many equations as vertices for each step.
  */
 template <class SymmetricTraits = Symmetric_solver_traits>
-void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options = Distortion_options())
+void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at,
+                         const Distortion_options& options = Distortion_options())
 {
   internal::Distortion_minimizer<SymmetricTraits> minimizer(disc, options.has_free_border, at);
   for (int i = 0; i < options.iterations; ++i)

@@ -21,7 +21,8 @@ struct Chart
 
 namespace internal {
 
-// The direction in which a chart's bounding rectangle has the least area, as a unit vector. One side lies on the convex hull.
+// The direction in which a chart's bounding rectangle has the least area, as a unit vector. One side lies on the convex
+// hull.
 inline Plane_point upright_direction(const std::vector<Plane_point>& at)
 {
   using Hull_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
@@ -57,9 +58,13 @@ inline Plane_point upright_direction(const std::vector<Plane_point>& at)
 }
 
 // The images of charts, side by side in the unit square. Some charts are turned upright.
-inline std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Chart>& charts, const std::vector<char>& is_turned)
+inline std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Chart>& charts,
+                                                            const std::vector<char>& is_turned)
 {
-  struct Box { double width, height, x, y; };
+  struct Box
+  {
+    double width, height, x, y;
+  };
   std::vector<Box> boxes;
   std::vector<std::vector<Plane_point>> placed;
   double total = 0;
@@ -86,7 +91,8 @@ inline std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Ch
   const double gap = 0.02 * std::sqrt(total / static_cast<double>(charts.size()));
   std::vector<std::size_t> order(charts.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return boxes[a].height > boxes[b].height; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return boxes[a].height > boxes[b].height; });
 
   // The width of the shelves is that of several which gives the smallest square.
   const auto stack = [&](double width) {
@@ -120,7 +126,10 @@ inline std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Ch
   }
   const double size = stack(best);
   for (std::size_t i = 0; i < charts.size(); ++i)
-    for (Plane_point& p : placed[i]) { p = {std::min((p[0] + boxes[i].x) / size, 1.), std::min((p[1] + boxes[i].y) / size, 1.)}; }
+    for (Plane_point& p : placed[i])
+    {
+      p = {std::min((p[0] + boxes[i].x) / size, 1.), std::min((p[1] + boxes[i].y) / size, 1.)};
+    }
   return placed;
 }
 
@@ -129,10 +138,11 @@ inline std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Ch
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * puts charts side by side into the unit square, all at one scale of area, so that their bounding rectangles are disjoint.
+ * puts charts side by side into the unit square, all at one scale of area, so that their bounding rectangles are
+ * disjoint.
  *
- * Each chart is turned until its bounding rectangle is smallest, unless rounding would then turn a face over; the rectangles stand on
- * shelves, the highest first.
+ * Each chart is turned until its bounding rectangle is smallest, unless rounding would then turn a face over; the
+ * rectangles stand on shelves, the highest first.
  *
  * \param charts the charts; their points are moved
  * \par Complexity
@@ -143,7 +153,8 @@ inline void pack_charts(std::vector<Chart>& charts)
   std::vector<char> is_turned(charts.size(), 1);
   auto placed = internal::lay_out_charts(charts, is_turned);
   for (std::size_t i = 0; i < charts.size(); ++i)
-    is_turned[i] = find_flipped_faces(*charts[i].triangles, placed[i]).size() <= find_flipped_faces(*charts[i].triangles, charts[i].at).size();
+    is_turned[i] = find_flipped_faces(*charts[i].triangles, placed[i]).size()
+                   <= find_flipped_faces(*charts[i].triangles, charts[i].at).size();
   if (std::count(is_turned.begin(), is_turned.end(), 0) > 0) { placed = internal::lay_out_charts(charts, is_turned); }
   for (std::size_t i = 0; i < charts.size(); ++i) { charts[i].at = std::move(placed[i]); }
 }

@@ -2,11 +2,11 @@
 #ifndef MERIDIAN_MAP_PARAMETERIZE_DISC_H
 #define MERIDIAN_MAP_PARAMETERIZE_DISC_H
 
-#include <meridian/map/Parameterization.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/map/Parameterization.h>
 #include <meridian/map/internal/cgal_maps.h>
-#include <meridian/map/minimize_distortion.h>
 #include <meridian/map/map_with_low_stretch.h>
+#include <meridian/map/minimize_distortion.h>
 
 #include <utility>
 
@@ -14,7 +14,10 @@ namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
 /// \returns whether a method can leave the border free
-inline bool has_free_border(Map_method m) { return m == Map_method::SYMMETRIC_DIRICHLET || m == Map_method::LSCM || m == Map_method::ARAP; }
+inline bool has_free_border(Map_method m)
+{
+  return m == Map_method::SYMMETRIC_DIRICHLET || m == Map_method::LSCM || m == Map_method::ARAP;
+}
 
 namespace internal {
 
@@ -29,7 +32,8 @@ inline std::vector<Plane_point> place_on_square(const std::vector<double>& place
     if (k > 0) { i = std::max(i, corner.back() + 1); }
     corner.push_back(std::min(i, places.size() - 4 + k));
   }
-  constexpr std::array<Plane_point, 5> at{Plane_point{0, 0}, Plane_point{1, 0}, Plane_point{1, 1}, Plane_point{0, 1}, Plane_point{0, 0}};
+  constexpr std::array<Plane_point, 5> at{Plane_point{0, 0}, Plane_point{1, 0}, Plane_point{1, 1}, Plane_point{0, 1},
+                                          Plane_point{0, 0}};
   std::vector<Plane_point> points(places.size());
   for (int k = 0; k < 4; ++k)
   {
@@ -38,7 +42,10 @@ inline std::vector<Plane_point> place_on_square(const std::vector<double>& place
     for (std::size_t i = first; i < last; ++i)
     {
       const double t = (places[i] - from) / (to - from);
-      for (int d = 0; d < 2; ++d) { points[i][d] = at[k][d] == at[k + 1][d] ? at[k][d] : (1 - t) * at[k][d] + t * at[k + 1][d]; }
+      for (int d = 0; d < 2; ++d)
+      {
+        points[i][d] = at[k][d] == at[k + 1][d] ? at[k][d] : (1 - t) * at[k][d] + t * at[k + 1][d];
+      }
     }
   }
   return points;
@@ -46,13 +53,19 @@ inline std::vector<Plane_point> place_on_square(const std::vector<double>& place
 
 // Maps a disc by one method. Returns why there is no map, or nothing.
 template <class SymmetricTraits, class GeneralTraits>
-std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options, std::vector<Plane_point>& at)
+std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options,
+                     std::vector<Plane_point>& at)
 {
-  if (method >= Map_method::MEAN_VALUE) { return map_with_cgal<GeneralTraits>(disc, method, border == Map_border::SQUARE, at); }
+  if (method >= Map_method::MEAN_VALUE)
+  {
+    return map_with_cgal<GeneralTraits>(disc, method, border == Map_border::SQUARE, at);
+  }
   const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
   const auto loop = is_given ? options.loop : boundary_loops(disc).front();
   const auto places = places_along(disc, loop);
-  const auto polygon = is_given ? options.polygon : border == Map_border::SQUARE ? place_on_square(places) : place_on_circle(places);
+  const auto polygon = is_given                       ? options.polygon
+                       : border == Map_border::SQUARE ? place_on_square(places)
+                                                      : place_on_circle(places);
   if (method == Map_method::POSITIVE)
   {
     at = map_into_polygon<SymmetricTraits>(disc, edge_weights(disc, Weights::POSITIVE), loop, polygon);
@@ -60,12 +73,19 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   }
   at = map_with_low_stretch<SymmetricTraits>(disc, loop, polygon, method == Map_method::STRETCH ? 20 : 3);
   if (method == Map_method::STRETCH) { return ""; }
-  if (!is_one_to_one(disc, at)) { return "double precision is not enough for the map into a convex polygon that it begins with"; }
+  if (!is_one_to_one(disc, at))
+  {
+    return "double precision is not enough for the map into a convex polygon that it begins with";
+  }
   Distortion_options distortion;
   distortion.has_free_border = border == Map_border::FREE;
   distortion.progress = options.progress;
-  try { minimize_distortion<SymmetricTraits>(disc, at, distortion); }
-  catch (const Solver_error&) {} // what was reached so far is a map
+  try
+  {
+    minimize_distortion<SymmetricTraits>(disc, at, distortion);
+  }
+  catch (const Solver_error&)
+  {} // what was reached so far is a map
   return "";
 }
 
@@ -96,7 +116,10 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     if (border == Map_border::FREE && !has_free_border(m)) { border = Map_border::CIRCLE; }
     if (border == Map_border::SQUARE && is_small) { border = Map_border::CIRCLE; }
     if (m == Map_method::LSCM || m == Map_method::ARAP) { border = Map_border::FREE; }
-    if (std::find(choices.begin(), choices.end(), Choice(m, border)) == choices.end()) { choices.emplace_back(m, border); }
+    if (std::find(choices.begin(), choices.end(), Choice(m, border)) == choices.end())
+    {
+      choices.emplace_back(m, border);
+    }
   };
   add(options.method, options.border);
   if (choices.front().second == Map_border::FREE) { add(Map_method::SYMMETRIC_DIRICHLET, Map_border::FREE); }
@@ -108,8 +131,14 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
   {
     std::vector<Plane_point> at;
     std::string reason;
-    try { reason = internal::map_disc<SymmetricTraits, GeneralTraits>(disc, method, border, options, at); }
-    catch (const Solver_error& e) { reason = e.what(); }
+    try
+    {
+      reason = internal::map_disc<SymmetricTraits, GeneralTraits>(disc, method, border, options, at);
+    }
+    catch (const Solver_error& e)
+    {
+      reason = e.what();
+    }
     if (!reason.empty())
     {
       best.attempts.push_back({method, border, -1, reason});

@@ -28,10 +28,12 @@ inline int orientation_of(const Plane_point& a, const Plane_point& b, const Plan
 }
 
 /// \ingroup PkgMeridianParameterization
-/// \returns the faces whose image is not turned counterclockwise: those turned over, and those without area. Decided exactly.
+/// \returns the faces whose image is not turned counterclockwise: those turned over, and those without area. Decided
+///          exactly.
 /// \param triangles the vertices of each face
 /// \param at the image of each vertex
-inline std::vector<Index> find_flipped_faces(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at)
+inline std::vector<Index> find_flipped_faces(const std::vector<std::array<Index, 3>>& triangles,
+                                             const std::vector<Plane_point>& at)
 {
   std::vector<Index> flipped;
   for (std::size_t f = 0; f < triangles.size(); ++f)

@@ -2,16 +2,17 @@
 #ifndef MERIDIAN_MESH_FACE_GRAPH_H
 #define MERIDIAN_MESH_FACE_GRAPH_H
 
-#include <meridian/result/assemble_result.h>
 #include <meridian/mesh/internal/convert.h>
 #include <meridian/mesh/parameters.h>
+#include <meridian/result/assemble_result.h>
 
 namespace meridian {
 
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
- * \returns a mesh as a `Triangle_surface`; vertices and faces are numbered in the order of `vertices(tm)` and `faces(tm)`
+ * \returns a mesh as a `Triangle_surface`; vertices and faces are numbered in the order of `vertices(tm)` and
+ *          `faces(tm)`
  *
  * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
  * \tparam NamedParameters a sequence of named parameters
@@ -22,13 +23,15 @@ namespace meridian {
  * Linear.
  */
 template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Triangle_surface make_triangle_surface(const TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::default_values())
+Triangle_surface make_triangle_surface(const TriangleMesh& tm,
+                                       const NamedParameters& np = CGAL::parameters::default_values())
 {
   static_assert(internal::uses_only<CGAL::internal_np::vertex_point_t>(static_cast<const NamedParameters*>(nullptr)),
                 "make_triangle_surface() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  return internal::convert(tm, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get_const_property_map(CGAL::vertex_point, tm)));
+  return internal::convert(tm, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                get_const_property_map(CGAL::vertex_point, tm)));
 }
 
 /*!
@@ -47,15 +50,18 @@ Triangle_surface make_triangle_surface(const TriangleMesh& tm, const NamedParame
  * One factorization.
  */
 template <class TriangleMesh, class VertexRange, class VertexFieldMap>
-void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, const VertexRange& maxima, VertexFieldMap field,
-                          Weights weights = Weights::POSITIVE)
+void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, const VertexRange& maxima,
+                          VertexFieldMap field, Weights weights = Weights::POSITIVE)
 {
   const internal::Vertex_numbers<TriangleMesh> number(tm);
   Field_options options;
   options.weights = weights;
   for (auto v : minima) { options.minima.push_back(number[v]); }
   for (auto v : maxima) { options.maxima.push_back(number[v]); }
-  if (options.minima.empty() || options.maxima.empty()) { throw Invalid_input_error("a field needs a minimum and a maximum"); }
+  if (options.minima.empty() || options.maxima.empty())
+  {
+    throw Invalid_input_error("a field needs a minimum and a maximum");
+  }
   const Ordered_surface m = order_surface<Symmetric_solver_traits, General_solver_traits>(
     make_triangle_surface(tm), options, [](Stage, const auto& work) { work(); });
   for (auto v : vertices(tm)) { put(field, v, m.field(m.graph.node[number[v]])); }
@@ -76,8 +82,10 @@ Options with_maps(Options options, const TriangleMesh& tm, const NamedParameters
       use(std::move(values));
     }
   };
-  read(get_parameter(np, internal_np::field_map), [&](std::vector<double> values) { options.values = std::move(values); });
-  read(get_parameter(np, internal_np::vertex_weight_map), [&](std::vector<double> values) { options.preference = preference::low_weight(std::move(values)); });
+  read(get_parameter(np, internal_np::field_map),
+       [&](std::vector<double> values) { options.values = std::move(values); });
+  read(get_parameter(np, internal_np::vertex_weight_map),
+       [&](std::vector<double> values) { options.preference = preference::low_weight(std::move(values)); });
   return options;
 }
 
@@ -92,22 +100,28 @@ Options with_maps(Options options, const TriangleMesh& tm, const NamedParameters
  * \tparam DiscMesh a model of `MutableFaceGraph` with an internal point map; it may be another type
  * \param tm the mesh
  * \param disc receives the disc: the vertices of `tm` in their order, then new ones, then copies
- * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`), `field_map` (a
- *        `ReadablePropertyMap` from vertices to `double`: the field whose contours are cut), `vertex_weight_map` (the same: meridians keep to low weights)
+ * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`),
+ *   `field_map` (a `ReadablePropertyMap` from vertices to `double`: the field whose contours are cut),
+ *   `vertex_weight_map` (the same: meridians keep to low weights)
  * \returns the cut, recounted
  * \pre `disc` is empty, `tm` is connected
  * \throws Invalid_input_error, Solver_error, Cancelled as the function above
  */
 template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
-          std::enable_if_t<!std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options>, int> = 0> // those are for the function above
-Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
+          // those are for the function above
+          std::enable_if_t<!std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options>, int> = 0>
+Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc,
+                     const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
-                "cut_to_disc() was given a named parameter it does not use");
+  static_assert(
+    internal::uses_only<internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(
+      static_cast<const NamedParameters*>(nullptr)),
+    "cut_to_disc() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = make_triangle_surface(tm);
-  Disc_cut cut = cut_to_disc(root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
+  Disc_cut cut = cut_to_disc(
+    root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
   const Verification recount = verify_cut(root, cut);
   if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
   const Triangle_surface opened = surface_of(cut.surface, cut.opened);
@@ -152,22 +166,27 @@ void build_refined_mesh(const Disc_cut& cut, Mesh& refined, EdgeIsConstrainedMap
  * \param tm the mesh
  * \param refined receives the refined mesh: the vertices of `tm` in their order, then new ones
  * \param curves receives the vertices of each curve on `refined`, a `std::vector`: meridian, longitude, meridian, ...
- * \param np optional: `generator_options` (a `Generator_options`; its vertices are numbered in the order of `vertices(tm)`), `field_map` and
- *        `vertex_weight_map` as for `cut_to_disc()`
+ * \param np optional: `generator_options` (a `Generator_options`; its vertices are numbered in the order of
+ *   `vertices(tm)`), `field_map` and `vertex_weight_map` as for `cut_to_disc()`
  * \returns the generators, recounted
  * \pre `refined` is empty, `tm` is connected
  * \throws Invalid_input_error, Solver_error, Cancelled as the function above
  */
-template <class TriangleMesh, class RefinedMesh, class VertexOutputIterator, class NamedParameters = CGAL::parameters::Default_named_parameters>
+template <class TriangleMesh, class RefinedMesh, class VertexOutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
 Generators find_generators(const TriangleMesh& tm, RefinedMesh& refined, VertexOutputIterator curves,
                            const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<internal_np::generator_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
-                "find_generators() was given a named parameter it does not use");
+  static_assert(
+    internal::uses_only<internal_np::generator_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(
+      static_cast<const NamedParameters*>(nullptr)),
+    "find_generators() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = make_triangle_surface(tm);
-  Generators g = find_generators(root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::generator_options), Generator_options()), tm, np));
+  Generators g = find_generators(
+    root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::generator_options), Generator_options()),
+                              tm, np));
   const Generator_verification recount = verify_generators(root, g);
   if (!recount) { throw Internal_error("find_generators: the recount found " + recount.failures.front()); }
   const auto vertex = internal::build(g.surface.points, g.surface.triangles, refined);

@@ -8,12 +8,13 @@
 #include <type_traits>
 
 // The table of this package's named parameters. NAME is what a caller writes, NAME_t the tag the library looks up.
-#define MERIDIAN_FOR_EACH_PARAMETER(X) X(cut_options) X(generator_options) X(unwrap_options) X(field_map) X(vertex_weight_map)
+#define MERIDIAN_FOR_EACH_PARAMETER(X) \
+  X(cut_options) X(generator_options) X(unwrap_options) X(field_map) X(vertex_weight_map)
 
 namespace meridian {
 
 namespace internal_np {
-#define MERIDIAN_TAG(NAME) enum NAME##_t { NAME };
+#define MERIDIAN_TAG(NAME) enum NAME##_t{NAME};
 MERIDIAN_FOR_EACH_PARAMETER(MERIDIAN_TAG)
 #undef MERIDIAN_TAG
 } // namespace internal_np
@@ -27,9 +28,11 @@ struct Parameters : CGAL::Named_function_parameters<T, Tag, Base>
   /// what CGAL sees.
   using Pack = CGAL::Named_function_parameters<T, Tag, Base>;
   using Pack::Pack;
-#define MERIDIAN_MEMBER(NAME)                                                          \
+#define MERIDIAN_MEMBER(NAME) \
   template <class K> Parameters<K, internal_np::NAME##_t, Pack> NAME(const K& k) const \
-  { return Parameters<K, internal_np::NAME##_t, Pack>(k, *this); }
+  { \
+    return Parameters<K, internal_np::NAME##_t, Pack>(k, *this); \
+  }
   MERIDIAN_FOR_EACH_PARAMETER(MERIDIAN_MEMBER)
 #undef MERIDIAN_MEMBER
 };
@@ -37,9 +40,11 @@ struct Parameters : CGAL::Named_function_parameters<T, Tag, Base>
 /// \ingroup PkgMeridianParameters
 /// the functions that begin a chain of parameters.
 namespace parameters {
-#define MERIDIAN_FUNCTION(NAME)                                                   \
-  template <class K> Parameters<K, internal_np::NAME##_t> NAME(const K& k)        \
-  { return Parameters<K, internal_np::NAME##_t>(k); }
+#define MERIDIAN_FUNCTION(NAME) \
+  template <class K> Parameters<K, internal_np::NAME##_t> NAME(const K& k) \
+  { \
+    return Parameters<K, internal_np::NAME##_t>(k); \
+  }
 MERIDIAN_FOR_EACH_PARAMETER(MERIDIAN_FUNCTION)
 #undef MERIDIAN_FUNCTION
 } // namespace parameters

@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_MESH_UNWRAP_FACE_GRAPH_H
 #define MERIDIAN_MESH_UNWRAP_FACE_GRAPH_H
 
-#include <meridian/mesh/face_graph.h>
 #include <meridian/map/pack_charts.h>
 #include <meridian/map/parameterize_disc.h>
+#include <meridian/mesh/face_graph.h>
 #include <meridian/unwrap/unwrap_surface.h>
 
 namespace meridian {
@@ -12,25 +12,30 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
- * gives a connected triangle mesh texture coordinates in the unit square, without flipped faces; seams are edges of the mesh (see
- * `unwrap_surface()`).
+ * gives a connected triangle mesh texture coordinates in the unit square, without flipped faces; seams are edges of the
+ * mesh (see `unwrap_surface()`).
  *
  * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
- * \tparam HalfedgeUVMap a model of `WritablePropertyMap` from halfedges to points of the plane that are constructible from two numbers
+ * \tparam HalfedgeUVMap a model of `WritablePropertyMap` from halfedges to points of the plane that are constructible
+ *         from two numbers
  * \tparam NamedParameters a sequence of named parameters
  * \param tm the mesh
  * \param uv receives, for each halfedge of a face, the coordinates of its target in that face
- * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are numbered in the order of `vertices(tm)`)
+ * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are
+ *   numbered in the order of `vertices(tm)`)
  * \returns the cut and its map, recounted
  * \pre `tm` is connected
- * \throws Invalid_input_error if the mesh is too coarse for a cut of edges; Solver_error if no map without flipped faces is found; Cancelled
+ * \throws Invalid_input_error if the mesh is too coarse for a cut of edges; Solver_error if no map without flipped
+ *   faces is found; Cancelled
  * \par Complexity
  * That of `unwrap_surface()`.
  */
 template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
-Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParameters& np = CGAL::parameters::default_values())
+Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
+                  const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<internal_np::unwrap_options_t>(static_cast<const NamedParameters*>(nullptr)), "unwrap() was given a named parameter it does not use");
+  static_assert(internal::uses_only<internal_np::unwrap_options_t>(static_cast<const NamedParameters*>(nullptr)),
+                "unwrap() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = make_triangle_surface(tm);
@@ -44,7 +49,10 @@ Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv, const NamedParameter
   std::vector<Chart> charts{{&u.disc.triangles, u.map.at, 1}};
   pack_charts(charts);
   const auto flipped = find_flipped_faces(u.disc.triangles, charts.front().at);
-  if (!flipped.empty()) { throw Solver_error(internal::list_elements("faces are turned over or have no area in the plane", flipped)); }
+  if (!flipped.empty())
+  {
+    throw Solver_error(internal::list_elements("faces are turned over or have no area in the plane", flipped));
+  }
   std::size_t f = 0;
   for (auto face : faces(tm))
   {

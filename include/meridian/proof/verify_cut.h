@@ -18,7 +18,8 @@ namespace meridian {
  * - the faces on each triangle of the input are a disc that divides it, turned the same way throughout;
  * - edges are shared or listed as seams exactly where the input is connected, and nowhere else;
  * - glueing the seams gives the genus and the boundary loops of the input;
- * - every component of the input became one disc: connected, Euler characteristic 1, one boundary loop, no pinched vertex.
+ * - every component of the input became one disc: connected, Euler characteristic 1, one boundary loop, no pinched
+ * vertex.
  *
  * All of it is counted by sorting sides and by union-find of corners. Nothing is shared with the code that
  * cuts but the plain arrays of input and result, the fan of a polygon and the formula of a position.
@@ -31,7 +32,9 @@ namespace meridian {
  * \f$ O(n \log d) \f$ for the largest degree \f$ d \f$
  */
 inline Verification verify_cut(const Polygon_soup& input, const Result_mesh& result)
-{ return verification::Cut_verifier(input, result).run(); }
+{
+  return verification::Cut_verifier(input, result).run();
+}
 
 } // namespace meridian
 

@@ -26,12 +26,14 @@ namespace meridian {
  * \par Complexity
  * \f$ O(n \log d) \f$ for the largest degree \f$ d \f$, and the square of the number of components
  */
-inline Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result, const std::vector<std::array<double, 2>>& texture)
+inline Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result,
+                                      const std::vector<std::array<double, 2>>& texture)
 {
   Verification found = verify_cut(input, result);
   if (texture.size() != result.points.size())
   {
-    found.failures.push_back("the mesh has " + std::to_string(result.points.size()) + " vertices and " + std::to_string(texture.size()) + " texture coordinates");
+    found.failures.push_back("the mesh has " + std::to_string(result.points.size()) + " vertices and "
+                             + std::to_string(texture.size()) + " texture coordinates");
     return found;
   }
   if (!found) { return found; }
@@ -58,11 +60,15 @@ inline Verification verify_unwrapping(const Polygon_soup& input, const Result_me
       }
     }
     if (!is_inside) { outside.push_back(static_cast<std::int32_t>(f)); }
-    else if (CGAL::orientation(corners[0], corners[1], corners[2]) != CGAL::LEFT_TURN) { flipped.push_back(static_cast<std::int32_t>(f)); }
+    else if (CGAL::orientation(corners[0], corners[1], corners[2]) != CGAL::LEFT_TURN)
+    {
+      flipped.push_back(static_cast<std::int32_t>(f));
+    }
   }
   for (std::size_t a = 0; a < boxes.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
-      if (boxes[a][0] < boxes[b][2] && boxes[b][0] < boxes[a][2] && boxes[a][1] < boxes[b][3] && boxes[b][1] < boxes[a][3])
+      if (boxes[a][0] < boxes[b][2] && boxes[b][0] < boxes[a][2] && boxes[a][1] < boxes[b][3]
+          && boxes[b][1] < boxes[a][3])
       {
         overlapping.push_back(static_cast<std::int32_t>(a));
         break;

@@ -4,10 +4,10 @@
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/cut/cut_to_disc.h>
-#include <meridian/surface/examine_surface.h>
 #include <meridian/handles/find_shortest_basis.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/proof/verify_generators.h>
+#include <meridian/surface/examine_surface.h>
 
 namespace meridian {
 
@@ -16,21 +16,23 @@ namespace meridian {
 struct Assembled_result
 {
   Result_mesh mesh;
-  std::vector<std::vector<Index>> place; ///< for each component, of each vertex of its refined surface, and then of each copy
+  /// for each component, of each vertex of its refined surface, and then of each copy
+  std::vector<std::vector<Index>> place;
 };
 
 namespace internal {
 
 // An origin on a component, in terms of the file.
-inline Result_origin file_origin(const Origin& o, const Surface_component& c, Index points, const std::vector<Index>& added)
+inline Result_origin file_origin(const Origin& o, const Surface_component& c, Index points,
+                                 const std::vector<Index>& added)
 {
-  const auto vertex = [&](Index v) { return c.vertex_of[v] < points ? c.vertex_of[v] : added[c.vertex_of[v] - points]; };
+  const auto vertex = [&](Index v) {
+    return c.vertex_of[v] < points ? c.vertex_of[v] : added[c.vertex_of[v] - points];
+  };
   Result_origin r;
   switch (o.kind)
   {
-  case Origin::VERTEX:
-    r.index = {vertex(o.index[0]), -1};
-    break;
+  case Origin::VERTEX: r.index = {vertex(o.index[0]), -1}; break;
   case Origin::EDGE:
   {
     const Index v = vertex(o.index[0]), w = vertex(o.index[1]);
@@ -54,9 +56,14 @@ inline Result_origin file_origin(const Origin& o, const Surface_component& c, In
 namespace internal {
 
 // A refined component, and how it was taken apart.
-struct Result_part { const Refined_surface& surface; const Opened_surface& opened; };
+struct Result_part
+{
+  const Refined_surface& surface;
+  const Opened_surface& opened;
+};
 
-inline Assembled_result assemble_parts(const Polygon_soup& soup, const Examination& examination, const std::vector<Result_part>& cuts)
+inline Assembled_result assemble_parts(const Polygon_soup& soup, const Examination& examination,
+                                       const std::vector<Result_part>& cuts)
 {
   Assembled_result result;
   Result_mesh& r = result.mesh;
@@ -68,7 +75,10 @@ inline Assembled_result assemble_parts(const Polygon_soup& soup, const Examinati
     new_faces += cut.surface.number_of_faces();
   }
   std::vector<std::array<Index, 3>> corners;
-  for_each_triangle(soup, [&](Index, Index, Index a, Index b, Index c) { corners.push_back({a, b, c}); ++triangles; });
+  for_each_triangle(soup, [&](Index, Index, Index a, Index b, Index c) {
+    corners.push_back({a, b, c});
+    ++triangles;
+  });
 
   // Vertices: the file's, new ones by component, fans of pinched vertices, copies by component.
   const Index added = static_cast<Index>(examination.added_vertex_of.size());
@@ -172,7 +182,8 @@ inline Examination examination_of(const Triangle_surface& root)
  * \par Complexity
  * Linear.
  */
-inline Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination, const std::vector<Disc_cut>& cuts)
+inline Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination,
+                                        const std::vector<Disc_cut>& cuts)
 {
   std::vector<internal::Result_part> parts;
   for (const Disc_cut& cut : cuts) { parts.push_back({cut.surface, cut.opened}); }
@@ -194,7 +205,8 @@ inline Assembled_result assemble_result(const Polygon_soup& soup, const Examinat
  * Linear.
  */
 template <class Curves>
-Assembled_result assemble_refined(const Polygon_soup& soup, const Examination& examination, const std::vector<Curves>& all)
+Assembled_result assemble_refined(const Polygon_soup& soup, const Examination& examination,
+                                  const std::vector<Curves>& all)
 {
   std::vector<Opened_surface> whole(all.size());
   std::vector<internal::Result_part> parts;
@@ -217,7 +229,8 @@ inline Result_curve name_curve(const std::string& name, const std::vector<Index>
 }
 
 template <class Curves>
-void name_boundaries(const std::vector<Curves>& all, const Assembled_result& assembled, std::vector<Result_curve>& curves)
+void name_boundaries(const std::vector<Curves>& all, const Assembled_result& assembled,
+                     std::vector<Result_curve>& curves)
 {
   int number = 0;
   for (std::size_t i = 0; i < all.size(); ++i)
@@ -261,7 +274,8 @@ inline std::vector<Result_curve> name_curves(const std::vector<Homology_basis>& 
   std::vector<Result_curve> curves;
   for (std::size_t i = 0; i < all.size(); ++i)
     for (const Generator_curve& loop : all[i].loops)
-      curves.push_back(internal::name_curve("loop_" + std::to_string(curves.size()), loop.vertices, assembled.place[i]));
+      curves.push_back(
+        internal::name_curve("loop_" + std::to_string(curves.size()), loop.vertices, assembled.place[i]));
   internal::name_boundaries(all, assembled, curves);
   return curves;
 }
@@ -269,7 +283,8 @@ inline std::vector<Result_curve> name_curves(const std::vector<Homology_basis>& 
 /*!
  * \ingroup PkgMeridianResults
  *
- * \returns the recount of a cut that was made without a file: the surface and the disc as plain arrays, given to `verify_cut()`
+ * \returns the recount of a cut that was made without a file: the surface and the disc as plain arrays, given to
+ *          `verify_cut()`
  * \param root the surface that was cut
  * \param cut its cut
  */

@@ -15,11 +15,11 @@ struct Closed_model
 {
   Index number_of_nodes = 0;
   Index first_loop_node = 0;
-  std::vector<Index> node;                ///< of each vertex
-  std::vector<Index> representative;      ///< a vertex of each node
-  std::vector<Index> begin;               ///< node `a` has the edges `begin[a]` to `begin[a+1]-1`
-  std::vector<Index> halfedge;            ///< each edge as a halfedge that leaves the node
-  std::vector<Index> neighbor;            ///< the node at its other end
+  std::vector<Index> node;           ///< of each vertex
+  std::vector<Index> representative; ///< a vertex of each node
+  std::vector<Index> begin;          ///< node `a` has the edges `begin[a]` to `begin[a+1]-1`
+  std::vector<Index> halfedge;       ///< each edge as a halfedge that leaves the node
+  std::vector<Index> neighbor;       ///< the node at its other end
 
   bool is_loop(Index a) const { return a >= first_loop_node; }
 };
@@ -79,12 +79,21 @@ inline std::vector<Index> chords_of_loops(const Triangle_surface& s, const Close
 /// calls `f(h)` for the halfedges that leave the node of vertex `v` inside the surface, in their circular order
 template <class Function> void for_each_around_node(const Triangle_surface& s, Index v, Function f)
 {
-  if (!s.is_boundary_vertex(v)) { s.for_each_outgoing(v, f); return; }
+  if (!s.is_boundary_vertex(v))
+  {
+    s.for_each_outgoing(v, f);
+    return;
+  }
   std::vector<Index> loop;
   Index u = v;
-  do { loop.push_back(u); u = s.target(s.outgoing[u]); } while (u != v);
+  do {
+    loop.push_back(u);
+    u = s.target(s.outgoing[u]);
+  } while (u != v);
   for (std::size_t i = loop.size(); i-- > 0;) // counterclockwise around the disc that closes the loop
-    s.for_each_outgoing(loop[i], [&](Index h) { if (s.opposite[h] >= 0) { f(h); } });
+    s.for_each_outgoing(loop[i], [&](Index h) {
+      if (s.opposite[h] >= 0) { f(h); }
+    });
 }
 
 } // namespace meridian

@@ -13,14 +13,21 @@ namespace meridian {
 /// where a vertex of a refined surface lies on the surface that it refines, called its root.
 struct Origin
 {
-  enum Kind : std::uint8_t { VERTEX, EDGE, FACE };
+  enum Kind : std::uint8_t
+  {
+    VERTEX,
+    EDGE,
+    FACE
+  };
   Kind kind = VERTEX;
-  std::array<Index, 2> index{-1, -1};  ///< the vertex; the two ends, lower first; or the face
+  std::array<Index, 2> index{-1, -1};    ///< the vertex; the two ends, lower first; or the face
   std::array<double, 3> weight{0, 0, 0}; ///< nothing; the fraction from the first end; or barycentric coordinates
 
   static Origin on_vertex(Index v) { return {VERTEX, {v, -1}, {0, 0, 0}}; }
   static Origin on_edge(Index v, Index w, double t)
-  { return v < w ? Origin{EDGE, {v, w}, {t, 0, 0}} : Origin{EDGE, {w, v}, {1 - t, 0, 0}}; }
+  {
+    return v < w ? Origin{EDGE, {v, w}, {t, 0, 0}} : Origin{EDGE, {w, v}, {1 - t, 0, 0}};
+  }
   static Origin in_face(Index f, const Point& b) { return {FACE, {f, -1}, {b[0], b[1], b[2]}}; }
 };
 
@@ -38,9 +45,11 @@ struct Refined_surface : Triangle_surface
 
   Refined_surface() = default;
   explicit Refined_surface(const Triangle_surface& root)
-    : Triangle_surface(root), root_vertices(root.number_of_vertices()),
-      face_of(root.number_of_faces()), seam(root.number_of_halfedges(), 0)
-  { std::iota(face_of.begin(), face_of.end(), Index(0)); }
+    : Triangle_surface(root), root_vertices(root.number_of_vertices()), face_of(root.number_of_faces()),
+      seam(root.number_of_halfedges(), 0)
+  {
+    std::iota(face_of.begin(), face_of.end(), Index(0));
+  }
 
   Origin origin(Index v) const { return v < root_vertices ? Origin::on_vertex(v) : origins[v - root_vertices]; }
   bool is_seam_or_boundary(Index h) const { return opposite[h] < 0 || seam[h]; }
@@ -54,8 +63,7 @@ inline bool on_common_root_edge(const Origin& x, const Origin& y, std::array<Ind
   if (x.kind == Origin::FACE || y.kind == Origin::FACE) { return false; }
   if (x.kind == Origin::VERTEX && y.kind == Origin::VERTEX)
     ends = {std::min(x.index[0], y.index[0]), std::max(x.index[0], y.index[0])};
-  else
-    ends = x.kind == Origin::EDGE ? x.index : y.index;
+  else ends = x.kind == Origin::EDGE ? x.index : y.index;
   const std::array<const Origin*, 2> both{&x, &y};
   for (int i = 0; i < 2; ++i)
   {
@@ -83,7 +91,11 @@ inline Point barycentric_in(const Triangle_surface& root, Index face, const Orig
       if (root.triangles[face][k] == v) { return k; }
     throw Internal_error("barycentric_in: a vertex does not lie on the face that is said to hold it");
   };
-  if (o.kind == Origin::VERTEX) { b[corner(o.index[0])] = 1; return b; }
+  if (o.kind == Origin::VERTEX)
+  {
+    b[corner(o.index[0])] = 1;
+    return b;
+  }
   b[corner(o.index[0])] = 1 - o.weight[0];
   b[corner(o.index[1])] = o.weight[0];
   return b;
@@ -113,7 +125,8 @@ inline Point position(const Triangle_surface& root, const Origin& o)
     return a + o.weight[0] * (b - a);
   }
   const auto& corner = root.triangles[o.index[0]];
-  return (o.weight[0] * root.points[corner[0]] + o.weight[1] * root.points[corner[1]]) + o.weight[2] * root.points[corner[2]];
+  return (o.weight[0] * root.points[corner[0]] + o.weight[1] * root.points[corner[1]])
+         + o.weight[2] * root.points[corner[2]];
 }
 
 } // namespace meridian

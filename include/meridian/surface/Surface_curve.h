@@ -34,7 +34,9 @@ struct Surface_curve
 
 /// \ingroup PkgMeridianSurface
 inline Point position(const Triangle_surface& s, const Curve_point& p)
-{ return p.is_vertex() ? s.points[p.vertex] : s.point_on(p.halfedge, p.t); }
+{
+  return p.is_vertex() ? s.points[p.vertex] : s.point_on(p.halfedge, p.t);
+}
 
 /// \ingroup PkgMeridianSurface
 /// \returns the length of the curve in the unit of the points

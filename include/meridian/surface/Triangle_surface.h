@@ -39,16 +39,18 @@ inline double distance(const Point& a, const Point& b) { return norm(a - b); }
 /// package works on this type; models of CGAL's `FaceGraph` are converted once, at the rim.
 struct Triangle_surface
 {
-  std::vector<Point> points;                    ///< one a vertex
-  std::vector<std::array<Index, 3>> triangles;  ///< vertices of each face, counterclockwise
-  std::vector<Index> opposite;                  ///< the twin of each halfedge, -1 on the boundary
-  std::vector<Index> outgoing;                  ///< a halfedge leaving each vertex; the boundary one where there is one
+  std::vector<Point> points;                   ///< one a vertex
+  std::vector<std::array<Index, 3>> triangles; ///< vertices of each face, counterclockwise
+  std::vector<Index> opposite;                 ///< the twin of each halfedge, -1 on the boundary
+  std::vector<Index> outgoing;                 ///< a halfedge leaving each vertex; the boundary one where there is one
 
   Index number_of_vertices() const { return static_cast<Index>(points.size()); }
   Index number_of_faces() const { return static_cast<Index>(triangles.size()); }
   Index number_of_halfedges() const { return 3 * number_of_faces(); }
   Index number_of_boundary_halfedges() const
-  { return static_cast<Index>(std::count(opposite.begin(), opposite.end(), -1)); }
+  {
+    return static_cast<Index>(std::count(opposite.begin(), opposite.end(), -1));
+  }
   Index number_of_edges() const { return (number_of_halfedges() + number_of_boundary_halfedges()) / 2; }
 
   static Index face(Index h) { return h / 3; }
@@ -70,14 +72,19 @@ struct Triangle_surface
   {
     const Index first = outgoing[v];
     Index h = first;
-    do { f(h); h = turn_left(h); } while (h >= 0 && h != first);
+    do {
+      f(h);
+      h = turn_left(h);
+    } while (h >= 0 && h != first);
   }
 
   /// \returns the halfedge from `u` to `v`, or -1
   Index find_halfedge(Index u, Index v) const
   {
     Index found = -1;
-    for_each_outgoing(u, [&](Index h) { if (target(h) == v) { found = h; } });
+    for_each_outgoing(u, [&](Index h) {
+      if (target(h) == v) { found = h; }
+    });
     return found;
   }
 

@@ -3,8 +3,8 @@
 #define MERIDIAN_SURFACE_EXAMINE_SURFACE_H
 
 #include <meridian/base/Polygon_soup.h>
-#include <meridian/surface/Triangle_surface.h>
 #include <meridian/base/list_elements.h>
+#include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/internal/soup_topology.h>
 
 namespace meridian {
@@ -19,8 +19,12 @@ struct Surface_component
   std::vector<Index> polygon_of;  ///< the soup's polygon of each face
   std::vector<char> is_flipped;   ///< whether the face was turned over: its last two corners change places
   int boundary_loops = 0;
-  double unit = 1;                ///< a length on `surface` is this many units of the soup; not 1 only for extreme coordinates
-  int euler_characteristic() const { return surface.number_of_vertices() - surface.number_of_edges() + surface.number_of_faces(); }
+  /// a length on `surface` is this many units of the soup; not 1 only for extreme coordinates
+  double unit = 1;
+  int euler_characteristic() const
+  {
+    return surface.number_of_vertices() - surface.number_of_edges() + surface.number_of_faces();
+  }
   int genus() const { return (2 - euler_characteristic() - boundary_loops) / 2; }
 };
 
@@ -38,11 +42,11 @@ struct Examination
  *
  * makes oriented manifolds of a soup, or says why that cannot be.
  *
- * Orientability is decided first, by walking through all faces with a side to keep; nothing is ever cut to make a surface
- * orientable. Then, each listed under `repairs`: polygons with a repeated corner or fewer than three are left out;
- * unreferenced points stay and are not used; faces are turned over, the fewer ones of a component, until all agree;
- * a vertex whose faces form several fans becomes one vertex a fan; faces without area stay. Where squares of coordinates
- * would leave the range of double, a component is brought to size by an exact power of two.
+ * Orientability is decided first, by walking through all faces with a side to keep; nothing is ever cut to make a
+ * surface orientable. Then, each listed under `repairs`: polygons with a repeated corner or fewer than three are left
+ * out; unreferenced points stay and are not used; faces are turned over, the fewer ones of a component, until all
+ * agree; a vertex whose faces form several fans becomes one vertex a fan; faces without area stay. Where squares of
+ * coordinates would leave the range of double, a component is brought to size by an exact power of two.
  *
  * \param soup points and polygons
  * \param split whether edges with three or more faces are split: each of their faces gets a border of its own there,
@@ -111,14 +115,22 @@ inline Examination examine_surface(const Polygon_soup& soup, bool split = false)
     used.clear();
     for (const auto& corners : c.surface.triangles)
       for (Index v : corners)
-        if (local[v] < 0) { local[v] = 0; used.push_back(v); }
+        if (local[v] < 0)
+        {
+          local[v] = 0;
+          used.push_back(v);
+        }
     std::sort(used.begin(), used.end());
     for (std::size_t i = 0; i < used.size(); ++i) { local[used[i]] = static_cast<Index>(i); }
-    for (auto& corners : c.surface.triangles) { for (Index& v : corners) { v = local[v]; } }
+    for (auto& corners : c.surface.triangles)
+    {
+      for (Index& v : corners) { v = local[v]; }
+    }
     for (Index v : used)
     {
       local[v] = -1;
-      const Index original = v < static_cast<Index>(soup.points.size()) ? v : result.added_vertex_of[v - soup.points.size()];
+      const Index original =
+        v < static_cast<Index>(soup.points.size()) ? v : result.added_vertex_of[v - soup.points.size()];
       c.vertex_of.push_back(v);
       c.surface.points.push_back(soup.points[original]);
     }

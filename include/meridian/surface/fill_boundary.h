@@ -2,14 +2,14 @@
 #ifndef MERIDIAN_SURFACE_FILL_BOUNDARY_H
 #define MERIDIAN_SURFACE_FILL_BOUNDARY_H
 
-#include <meridian/field/order_surface.h>
 #include <meridian/curves/project_contours.h>
+#include <meridian/field/order_surface.h>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianOrder
-/// a surface with a fan over each boundary loop. Vertices and faces of the surface come first and keep their numbers; then, for each
-/// loop, one vertex and one face an edge.
+/// a surface with a fan over each boundary loop. Vertices and faces of the surface come first and keep their numbers;
+/// then, for each loop, one vertex and one face an edge.
 struct Filled_surface
 {
   Triangle_surface surface;
@@ -45,10 +45,12 @@ inline Filled_surface fill_boundary(const Triangle_surface& root)
 /*!
  * \ingroup PkgMeridianOrder
  *
- * orders a filled surface by a harmonic field whose boundary is free (without flux): level lines may end on the boundary.
+ * orders a filled surface by a harmonic field whose boundary is free (without flux): level lines may end on the
+ * boundary.
  *
- * The field is solved on the surface alone; the middle of each fan takes the mean of its loop, which makes no extremum. So with one minimum
- * and one maximum there are 2g saddles on the filled surface, and its contours, arcs continued through the fans, are closed.
+ * The field is solved on the surface alone; the middle of each fan takes the mean of its loop, which makes no extremum.
+ * So with one minimum and one maximum there are 2g saddles on the filled surface, and its contours, arcs continued
+ * through the fans, are closed.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param filled the filled surface
@@ -68,7 +70,8 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
     m.surface = Refined_surface(filled.surface);
     m.graph = make_closed_model(m.surface);
     if (options.weights == Weights::INTRINSIC_DELAUNAY && options.values.empty())
-      throw Invalid_input_error("intrinsic Delaunay weights are made for the closed model; choose others where the boundary is free");
+      throw Invalid_input_error(
+        "intrinsic Delaunay weights are made for the closed model; choose others where the boundary is free");
     if (minima.empty() && maxima.empty() && options.values.empty())
     {
       auto [a, b] = find_distant_nodes(m.surface, m.graph);
@@ -85,7 +88,8 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
     }
     for (Index a : maxima)
       if (std::binary_search(minima.begin(), minima.end(), a))
-        throw Invalid_input_error("a minimum and a maximum of the field lie on the same vertex (vertex " + std::to_string(a) + "); choose them apart");
+        throw Invalid_input_error("a minimum and a maximum of the field lie on the same vertex (vertex "
+                                  + std::to_string(a) + "); choose them apart");
   });
   run(Stage::FIELD, [&] {
     const Triangle_surface& s = m.surface;
@@ -94,7 +98,10 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
       {
         double sum = 0;
         int count = 0;
-        s.for_each_outgoing(c, [&](Index h) { sum += m.field.value[s.target(h)]; ++count; });
+        s.for_each_outgoing(c, [&](Index h) {
+          sum += m.field.value[s.target(h)];
+          ++count;
+        });
         m.field.value[c] = sum / count;
       }
     };
@@ -102,7 +109,8 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
     {
       std::vector<double> values = options.values;
       if (static_cast<Index>(values.size()) != filled.vertices)
-        throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for " + std::to_string(filled.vertices) + " vertices; it needs one a vertex");
+        throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for "
+                                  + std::to_string(filled.vertices) + " vertices; it needs one a vertex");
       values.resize(s.number_of_vertices(), 0);
       m.field = internal::field_of_values(filled.surface, m.surface, m.graph, values);
       fill();
@@ -120,12 +128,17 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
       m.field.value[v] = 1;
     }
     std::vector<Index> unknown;
-    for (Index v = 0; v < filled.vertices; ++v) { if (!is_known[v]) { unknown.push_back(v); } }
+    for (Index v = 0; v < filled.vertices; ++v)
+    {
+      if (!is_known[v]) { unknown.push_back(v); }
+    }
     const auto solve = [&](auto traits) {
       internal::Laplace_system<decltype(traits)> system(m.graph, weights);
-      system.solve(unknown, [&](Index a) { return m.field.value[a]; }, m.field.value);
+      system.solve(
+        unknown, [&](Index a) { return m.field.value[a]; }, m.field.value);
     };
-    if (options.weights == Weights::MEAN_VALUE) { solve(GeneralTraits()); } else { solve(SymmetricTraits()); }
+    if (options.weights == Weights::MEAN_VALUE) { solve(GeneralTraits()); }
+    else { solve(SymmetricTraits()); }
     fill();
   });
   run(Stage::ORDER, [&] { order_by_field(filled.surface, m, minima, maxima); });
@@ -134,13 +147,15 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
 
 namespace internal {
 
-// Contours of a filled surface as crossings of the surface alone. Where one runs through a fan it is pushed out over the
-// vertices that it separates from the fan's middle: around each of them, across all edges inside the surface. Those that passed
-// farther from such a vertex come to lie nearer to it.
+// Contours of a filled surface as crossings of the surface alone. Where one runs through a fan it is pushed out over
+// the vertices that it separates from the fan's middle: around each of them, across all edges inside the surface. Those
+// that passed farther from such a vertex come to lie nearer to it.
 //
 // `arcs`: how many pieces end on the boundary; `loops`: how many do not.
-inline std::vector<std::vector<Crossing>> project_from_filled(const Triangle_surface& root, const Filled_surface& filled, const Ordered_surface& m,
-                                                              const std::vector<const Contour*>& contours, int& arcs, int& loops)
+inline std::vector<std::vector<Crossing>> project_from_filled(const Triangle_surface& root,
+                                                              const Filled_surface& filled, const Ordered_surface& m,
+                                                              const std::vector<const Contour*>& contours, int& arcs,
+                                                              int& loops)
 {
   arcs = loops = 0;
   const Triangle_surface& s = filled.surface;
@@ -154,7 +169,8 @@ inline std::vector<std::vector<Crossing>> project_from_filled(const Triangle_sur
       const Index a = s.source(c.halfedge), b = s.target(c.halfedge);
       if (a < filled.vertices && b < filled.vertices)
       {
-        if (root.number_of_halfedges() > c.halfedge && root.opposite[c.halfedge] >= 0) // `edge()` is the same on both surfaces
+        // `edge()` is the same on both surfaces
+        if (root.number_of_halfedges() > c.halfedge && root.opposite[c.halfedge] >= 0)
         {
           curve.push_back(c);
           continue;
@@ -176,7 +192,8 @@ inline std::vector<std::vector<Crossing>> project_from_filled(const Triangle_sur
         const Index e = root.edge(h);
         const bool is_lower = u < root.target(h), from_source = (root.source(e) == u) == is_lower;
         const double t = root.source(e) == u ? 0.02 : 0.98;
-        curve.push_back({middle_on_left ? root.opposite[h] : h, e, is_lower ? -1 - c.piece : 2 + c.piece, is_lower ? -c.place : c.place, t, from_source});
+        curve.push_back({middle_on_left ? root.opposite[h] : h, e, is_lower ? -1 - c.piece : 2 + c.piece,
+                         is_lower ? -c.place : c.place, t, from_source});
       }
     }
     cancel(root, curve);

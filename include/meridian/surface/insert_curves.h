@@ -30,7 +30,8 @@ struct Insertion
  *
  * \param root the surface that `s` refines
  * \param s the surface to refine. A face keeps its index for its first part.
- * \param curves the curves; on one edge, different points have different fractions, and points of one node have the same
+ * \param curves the curves; on one edge, different points have different fractions, and points of one node have the
+ *   same
  * \param mark_seam whether the curves' edges are flagged
  *
  * \returns the curves' vertices and the new faces' parents. New vertices are numbered along the curves.
@@ -58,12 +59,20 @@ inline Insertion insert_curves(const Triangle_surface& root, Refined_surface& s,
     auto& path = result.vertices.emplace_back();
     for (const Curve_point& p : curve.points)
     {
-      if (p.is_vertex()) { path.push_back(p.vertex); continue; }
+      if (p.is_vertex())
+      {
+        path.push_back(p.vertex);
+        continue;
+      }
       const Index v = s.number_of_vertices();
       if (p.node >= 0)
       {
         const auto [known, is_new] = vertex_of_node.try_emplace(p.node, v);
-        if (!is_new) { path.push_back(known->second); continue; }
+        if (!is_new)
+        {
+          path.push_back(known->second);
+          continue;
+        }
       }
       const Index e = s.edge(p.halfedge);
       edge_points.push_back({e, e == p.halfedge ? p.t : 1 - p.t, v});
@@ -78,7 +87,8 @@ inline Insertion insert_curves(const Triangle_surface& root, Refined_surface& s,
     {
       const Curve_point &p = curve.points[i], &q = curve.points[(i + 1) % n];
       if (p.is_vertex() && q.is_vertex()) { continue; } // an edge of the surface already
-      if (p.is_vertex() ? is_end(p.vertex, q.halfedge) : q.is_vertex() && is_end(q.vertex, p.halfedge)) { continue; } // a part of one
+      // a part of one
+      if (p.is_vertex() ? is_end(p.vertex, q.halfedge) : q.is_vertex() && is_end(q.vertex, p.halfedge)) { continue; }
       const Index face = s.face(p.is_vertex() ? q.halfedge : s.opposite[p.halfedge]);
       chords.push_back({face, path[i], path[(i + 1) % n]});
     }

@@ -34,7 +34,8 @@ inline double smallest_angle(const Triangle_surface& s)
   double cotangent = -std::numeric_limits<double>::infinity(); // of the smallest angle so far: the largest
   for (const auto& t : s.triangles)
   {
-    const Point ab = s.points[t[1]] - s.points[t[0]], bc = s.points[t[2]] - s.points[t[1]], ca = s.points[t[0]] - s.points[t[2]];
+    const Point ab = s.points[t[1]] - s.points[t[0]], bc = s.points[t[2]] - s.points[t[1]],
+                ca = s.points[t[0]] - s.points[t[2]];
     const double twice_area = norm(cross(ab, ca));
     if (!(twice_area > 0)) { return 0; }
     cotangent = std::max(cotangent, -std::min({dot(ab, ca), dot(ab, bc), dot(bc, ca)}) / twice_area);
@@ -129,7 +130,10 @@ inline std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, con
   centroid = (1. / s.number_of_vertices()) * centroid;
   const auto farthest = [&](const auto& measure) {
     Index best = 0;
-    for (Index a = 1; a < g.number_of_nodes; ++a) { if (measure(a) > measure(best)) { best = a; } }
+    for (Index a = 1; a < g.number_of_nodes; ++a)
+    {
+      if (measure(a) > measure(best)) { best = a; }
+    }
     return best;
   };
   Index from = farthest([&](Index a) { return distance(s.points[g.representative[a]], centroid); });

@@ -10,9 +10,10 @@ namespace meridian {
 /// a surface taken apart along its seams.
 struct Opened_surface
 {
-  std::vector<std::array<Index, 3>> triangles;   ///< the faces of the refined surface, in its order
-  std::vector<Index> copy_of;                    ///< for each vertex past those of the refined surface, the one it doubles
-  std::vector<std::array<Index, 2>> seams;       ///< pairs of halfedges that were one edge, the lower first
+  std::vector<std::array<Index, 3>> triangles; ///< the faces of the refined surface, in its order
+  /// for each vertex past those of the refined surface, the one it doubles
+  std::vector<Index> copy_of;
+  std::vector<std::array<Index, 2>> seams; ///< pairs of halfedges that were one edge, the lower first
 };
 
 /*!
@@ -56,7 +57,11 @@ inline Opened_surface open_along(const Refined_surface& s)
     }
     std::size_t keeper = 0;
     for (std::size_t i = 1; i < sectors.size(); ++i)
-      if (*std::min_element(sectors[i].begin(), sectors[i].end()) < *std::min_element(sectors[keeper].begin(), sectors[keeper].end())) { keeper = i; }
+      if (*std::min_element(sectors[i].begin(), sectors[i].end())
+          < *std::min_element(sectors[keeper].begin(), sectors[keeper].end()))
+      {
+        keeper = i;
+      }
     for (std::size_t i = 1; i < sectors.size(); ++i)
     {
       const Index copy = n + static_cast<Index>(opened.copy_of.size());

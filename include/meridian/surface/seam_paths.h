@@ -7,8 +7,8 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianSurface
-/// \returns the seam of a surface as paths of vertices, between vertices where other than two seam edges meet or that lie on the
-///          boundary. A circle without such a vertex begins and ends at its lowest one.
+/// \returns the seam of a surface as paths of vertices, between vertices where other than two seam edges meet or that
+///          lie on the boundary. A circle without such a vertex begins and ends at its lowest one.
 /// \par Complexity
 /// Linear.
 inline std::vector<std::vector<Index>> seam_paths(const Refined_surface& s)
@@ -21,7 +21,10 @@ inline std::vector<std::vector<Index>> seam_paths(const Refined_surface& s)
       ++degree[s.target(h)];
     }
   std::vector<char> is_node(s.number_of_vertices(), 0), is_done(s.number_of_halfedges(), 0);
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { is_node[v] = degree[v] > 0 && (degree[v] != 2 || s.is_boundary_vertex(v)); }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    is_node[v] = degree[v] > 0 && (degree[v] != 2 || s.is_boundary_vertex(v));
+  }
   std::vector<std::vector<Index>> paths;
   const auto trace = [&](Index h) {
     auto& path = paths.emplace_back(1, s.source(h));
@@ -31,13 +34,17 @@ inline std::vector<std::vector<Index>> seam_paths(const Refined_surface& s)
       const Index v = s.target(h), back = s.opposite[h];
       path.push_back(v);
       if (is_node[v] || v == path.front()) { return; }
-      s.for_each_outgoing(v, [&](Index k) { if (s.seam[k] && k != back) { h = k; } });
+      s.for_each_outgoing(v, [&](Index k) {
+        if (s.seam[k] && k != back) { h = k; }
+      });
     }
   };
   for (const bool is_circle : {false, true})
     for (Index v = 0; v < s.number_of_vertices(); ++v)
       if (degree[v] > 0 && (is_circle || is_node[v]))
-        s.for_each_outgoing(v, [&](Index h) { if (s.seam[h] && !is_done[h]) { trace(h); } });
+        s.for_each_outgoing(v, [&](Index h) {
+          if (s.seam[h] && !is_done[h]) { trace(h); }
+        });
   return paths;
 }
 

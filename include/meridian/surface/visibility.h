@@ -14,8 +14,8 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianMeridians
  *
- * \returns for each vertex 1 if it is seen from far out in a direction, and 0 if it faces away or another face is in front of it.
- *          `preference::low_weight()` keeps meridians out of sight with it.
+ * \returns for each vertex 1 if it is seen from far out in a direction, and 0 if it faces away or another face is in
+ *          front of it. `preference::low_weight()` keeps meridians out of sight with it.
  * \param s the surface
  * \param direction towards the eye, of any length but 0
  * \throws Invalid_input_error if the direction is 0 or not finite
@@ -27,7 +27,10 @@ inline std::vector<double> visibility(const Triangle_surface& s, const Point& di
   using Kernel = CGAL::Simple_cartesian<double>;
   using Triangles = std::vector<Kernel::Triangle_3>;
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-  if (!(norm(direction) > 0) || !std::isfinite(norm(direction))) { throw Invalid_input_error("a direction to look from must be finite and not 0"); }
+  if (!(norm(direction) > 0) || !std::isfinite(norm(direction)))
+  {
+    throw Invalid_input_error("a direction to look from must be finite and not 0");
+  }
   const auto point = [&](Index v) { return Kernel::Point_3(s.points[v][0], s.points[v][1], s.points[v][2]); };
   Triangles triangles;
   std::vector<Index> face; // of each triangle; what has no area hides nothing
@@ -47,7 +50,8 @@ inline std::vector<double> visibility(const Triangle_surface& s, const Point& di
     bool faces_it = false;
     s.for_each_outgoing(v, [&](Index h) {
       const auto& t = s.triangles[s.face(h)];
-      faces_it = faces_it || dot(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]), direction) > 0;
+      faces_it =
+        faces_it || dot(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]), direction) > 0;
     });
     if (!faces_it) { continue; }
     const Kernel::Ray_3 ray(point(v), Kernel::Vector_3(direction[0], direction[1], direction[2]));

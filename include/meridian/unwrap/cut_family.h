@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_UNWRAP_CUT_FAMILY_H
 #define MERIDIAN_UNWRAP_CUT_FAMILY_H
 
-#include <meridian/result/assemble_result.h>
 #include <meridian/field/fields.h>
+#include <meridian/result/assemble_result.h>
 
 #include <functional>
 #include <iterator>
@@ -26,9 +26,10 @@ struct Family_member
  *
  * cut graphs of one connected surface, all different, each found and recounted when it is asked for: an input range.
  *
- * The paper's point is that there is not one cut graph but a family (Patane 2007, section 3). The first member is the cut with the options
- * given. Then fields, preferences, levels and methods change; then a harmonic field runs between other and other pairs of vertices that
- * are spread over the surface. A cut that was found before is left out; a choice that does not suit the surface too.
+ * The paper's point is that there is not one cut graph but a family (Patane 2007, section 3). The first member is the
+ * cut with the options given. Then fields, preferences, levels and methods change; then a harmonic field runs between
+ * other and other pairs of vertices that are spread over the surface. A cut that was found before is left out; a choice
+ * that does not suit the surface too.
  *
  * \code
  * for (const Family_member& member : Cut_family(surface, 16)) { ... member.cut.length ... }
@@ -41,7 +42,8 @@ public:
   /// \param size how many members at most; there may be fewer
   /// \param options what all members share
   /// \pre `root` is connected
-  Cut_family(const Triangle_surface& root, int size, const Cut_options& options = Cut_options()) : m_root(root), m_size(size), m_options(options)
+  Cut_family(const Triangle_surface& root, int size, const Cut_options& options = Cut_options())
+    : m_root(root), m_size(size), m_options(options)
   {
     const Closed_model g = make_closed_model(root);
     const auto [a, b] = find_distant_nodes(root, g);
@@ -53,7 +55,8 @@ public:
 
   /// the next member.
   /// \returns nothing after the last
-  /// \throws Solver_error, Cancelled and Internal_error as `cut_to_disc()`; Invalid_input_error only from the first member
+  /// \throws Solver_error, Cancelled and Internal_error as `cut_to_disc()`; Invalid_input_error only from the first
+  /// member
   std::optional<Family_member> next()
   {
     constexpr int patience = 24; // choices in a row that give nothing new
@@ -74,7 +77,10 @@ public:
       }
       if (!m_known.insert(seam_points(member.cut)).second) { continue; }
       const Verification recount = verify_cut(m_root, member.cut);
-      if (!recount) { throw Internal_error("Cut_family: the recount of " + member.name + " found " + recount.failures.front()); }
+      if (!recount)
+      {
+        throw Internal_error("Cut_family: the recount of " + member.name + " found " + recount.failures.front());
+      }
       ++m_found;
       return member;
     }
@@ -131,7 +137,9 @@ private:
       o.preference = preference::short_length;
       o.levels = Levels::TIGHT;
     };
-    const int genus = (2 - (m_root.number_of_vertices() - m_root.number_of_edges() + m_root.number_of_faces()) - static_cast<int>(boundary_loops(m_root).size())) / 2;
+    const int genus = (2 - (m_root.number_of_vertices() - m_root.number_of_edges() + m_root.number_of_faces())
+                       - static_cast<int>(boundary_loops(m_root).size()))
+                      / 2;
     switch (i)
     {
     case 0: return "as chosen";
@@ -153,7 +161,10 @@ private:
     }
     case 9: o.preference = preference::mean_curvature; return contours("harmonic, mean curvature");
     case 10: short_and_tight(); return eigenfunction(1);
-    case 11: o.links.bifurcations = true; short_and_tight(); return contours("harmonic, with bifurcations");
+    case 11:
+      o.links.bifurcations = true;
+      short_and_tight();
+      return contours("harmonic, with bifurcations");
     default: break;
     }
     // Pairs of spread vertices: (0, 2), (1, 2), (0, 3), ...
@@ -185,7 +196,8 @@ private:
     std::vector<std::array<Point, 2>> seams;
     for (const auto& seam : cut.opened.seams)
     {
-      std::array<Point, 2> ends{cut.surface.points[cut.surface.source(seam[0])], cut.surface.points[cut.surface.target(seam[0])]};
+      std::array<Point, 2> ends{cut.surface.points[cut.surface.source(seam[0])],
+                                cut.surface.points[cut.surface.target(seam[0])]};
       std::sort(ends.begin(), ends.end());
       seams.push_back(ends);
     }
@@ -203,8 +215,8 @@ private:
 };
 
 /// \ingroup PkgMeridianFamily
-/// \returns for each cut whether no other is at least as good in every respect and better in one: shorter, fewer new vertices,
-///          a larger smallest angle. Of equal ones all are kept.
+/// \returns for each cut whether no other is at least as good in every respect and better in one: shorter, fewer new
+///          vertices, a larger smallest angle. Of equal ones all are kept.
 inline std::vector<char> find_best_cuts(const std::vector<std::array<double, 3>>& costs)
 {
   std::vector<char> is_best(costs.size(), 1);

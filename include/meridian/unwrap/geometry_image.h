@@ -18,7 +18,8 @@ struct Geometry_image
   int size = 0;                       ///< samples along a side
   std::vector<std::uint16_t> samples; ///< three a pixel, row by row
   Point low{0, 0, 0};                 ///< the lower corner of the bounding box
-  double step = 0;                    ///< of one unit, the same for the three axes: the longest side of the box over 65535
+  /// of one unit, the same for the three axes: the longest side of the box over 65535
+  double step = 0;
 
   std::size_t pixel(int column, int row) const { return static_cast<std::size_t>(row) * size + column; }
   /// \returns the position of a pixel
@@ -35,8 +36,10 @@ struct Geometry_image
 struct Remeshed
 {
   Triangle_surface surface;
-  std::vector<Index> vertex_of; ///< of each pixel; pixels that are one point of the surface have one vertex; -1 where faces were left out
-  Index faces_left_out = 0;     ///< pairs of faces that lie upon each other, where the free end of a seam is at a corner of the square
+  /// of each pixel; pixels that are one point of the surface have one vertex; -1 where faces were left out
+  std::vector<Index> vertex_of;
+  /// pairs of faces that lie upon each other, where the free end of a seam is at a corner of the square
+  Index faces_left_out = 0;
 };
 
 namespace internal {
@@ -70,8 +73,11 @@ inline std::vector<Point> sample_border(const Triangle_surface& disc, const Squa
     {
       while (i + 1 < path.size && border.along[halfedge(i + 1)] <= k) { ++i; }
       const Index h = border.loop[halfedge(i)];
-      const double begin = border.along[halfedge(i)], end = i + 1 < path.size ? border.along[halfedge(i + 1)] : path.steps;
-      const Point at = k == end ? disc.points[disc.target(h)] : k == begin ? disc.points[disc.source(h)] : disc.point_on(h, (k - begin) / (end - begin));
+      const double begin = border.along[halfedge(i)],
+                   end = i + 1 < path.size ? border.along[halfedge(i + 1)] : path.steps;
+      const Point at = k == end     ? disc.points[disc.target(h)]
+                       : k == begin ? disc.points[disc.source(h)]
+                                    : disc.point_on(h, (k - begin) / (end - begin));
       found[(path.start + k) % steps] = at;
       if (path.mate < 0) { continue; }
       const Border_path& mate = border.paths[path.mate];
@@ -88,9 +94,10 @@ inline std::vector<Point> sample_border(const Triangle_surface& disc, const Squa
  *
  * samples a surface that is mapped onto the unit square at `border.size` times `border.size` points.
  *
- * The sample of column i and row j is the point of the surface whose image is (i, j) / (size - 1). The face that holds it is found with
- * exact predicates; where several meet it is the first. Samples of the border are taken along its edges, once for both sides of a seam, which
- * so are equal to the bit. Faces that the map turned over are not looked at.
+ * The sample of column i and row j is the point of the surface whose image is (i, j) / (size - 1). The face that holds
+ * it is found with exact predicates; where several meet it is the first. Samples of the border are taken along its
+ * edges, once for both sides of a seam, which so are equal to the bit. Faces that the map turned over are not looked
+ * at.
  *
  * \param disc the surface
  * \param at the image of each vertex, with the border on that of the square
@@ -100,7 +107,8 @@ inline std::vector<Point> sample_border(const Triangle_surface& disc, const Squa
  * \par Complexity
  * Linear in the faces and in the pixels of their bounding boxes.
  */
-inline Geometry_image sample_geometry(const Triangle_surface& disc, const std::vector<Plane_point>& at, const Square_border& border)
+inline Geometry_image sample_geometry(const Triangle_surface& disc, const std::vector<Plane_point>& at,
+                                      const Square_border& border)
 {
   const int size = border.size;
   const double whole = size - 1;
@@ -132,8 +140,11 @@ inline Geometry_image sample_geometry(const Triangle_surface& disc, const std::v
       {
         const std::size_t pixel = image.pixel(column, row);
         const Plane_point p{column / whole, row / whole};
-        if (is_found[pixel] || orientation_of(corner[0], corner[1], p) < 0 || orientation_of(corner[1], corner[2], p) < 0
-            || orientation_of(corner[2], corner[0], p) < 0) { continue; }
+        if (is_found[pixel] || orientation_of(corner[0], corner[1], p) < 0
+            || orientation_of(corner[1], corner[2], p) < 0 || orientation_of(corner[2], corner[0], p) < 0)
+        {
+          continue;
+        }
         is_found[pixel] = 1;
         Point b;
         for (int k = 0; k < 3; ++k) { b[k] = std::max(0., cross(corner[(k + 1) % 3] - p, corner[(k + 2) % 3] - p)); }
@@ -144,7 +155,8 @@ inline Geometry_image sample_geometry(const Triangle_surface& disc, const std::v
       }
   }
   if (const auto missing = std::count(is_found.begin(), is_found.end(), 0); missing > 0)
-    throw Invalid_input_error("the map does not cover the square: " + std::to_string(missing) + " grid points lie in no face");
+    throw Invalid_input_error("the map does not cover the square: " + std::to_string(missing)
+                              + " grid points lie in no face");
 
   image.low = disc.points.front();
   Point high = image.low;
@@ -169,10 +181,11 @@ inline Geometry_image sample_geometry(const Triangle_surface& disc, const std::v
  *
  * makes a surface of a geometry image: two triangles for every square of four pixels.
  *
- * With a border, the pixels of both sides of every seam become one vertex, by the steps of the paths and not by coordinates; so a closed
- * surface comes back closed, with its genus. The shorter diagonal of a square is taken, but at the corners of the image that from the corner, and
- * beside a seam none that would join two vertices a second time. If the free end of a seam is at a corner, the two faces there are one upon the
- * other; they are left out, and the surface is closed behind them.
+ * With a border, the pixels of both sides of every seam become one vertex, by the steps of the paths and not by
+ * coordinates; so a closed surface comes back closed, with its genus. The shorter diagonal of a square is taken, but at
+ * the corners of the image that from the corner, and beside a seam none that would join two vertices a second time. If
+ * the free end of a seam is at a corner, the two faces there are one upon the other; they are left out, and the surface
+ * is closed behind them.
  *
  * \param image the image
  * \param border the border that it was sampled with, or null: then nothing is joined
@@ -185,8 +198,10 @@ inline Geometry_image sample_geometry(const Triangle_surface& disc, const std::v
 inline Remeshed remesh_from_image(const Geometry_image& image, const Square_border* border = nullptr)
 {
   const int size = image.size;
-  if (size < 2 || (border != nullptr && (size < 5 || border->size != size)) || image.samples.size() != 3 * static_cast<std::size_t>(size) * size)
-    throw Invalid_input_error("an image of " + std::to_string(size) + " x " + std::to_string(size) + " points cannot become a surface with this border");
+  if (size < 2 || (border != nullptr && (size < 5 || border->size != size))
+      || image.samples.size() != 3 * static_cast<std::size_t>(size) * size)
+    throw Invalid_input_error("an image of " + std::to_string(size) + " x " + std::to_string(size)
+                              + " points cannot become a surface with this border");
   std::vector<Index> same(static_cast<std::size_t>(size) * size); // a tree for each set of pixels that are one point
   std::iota(same.begin(), same.end(), Index(0));
   const auto find = [&](Index p) {
@@ -202,7 +217,8 @@ inline Remeshed remesh_from_image(const Geometry_image& image, const Square_bord
       {
         const auto a = internal::border_pixel((path.start + k) % border->steps(), size);
         const auto b = internal::border_pixel((mate.start + mate.steps - k) % border->steps(), size);
-        const Index p = find(static_cast<Index>(image.pixel(a[0], a[1]))), q = find(static_cast<Index>(image.pixel(b[0], b[1])));
+        const Index p = find(static_cast<Index>(image.pixel(a[0], a[1]))),
+                    q = find(static_cast<Index>(image.pixel(b[0], b[1])));
         same[std::max(p, q)] = std::min(p, q);
       }
     }
@@ -216,18 +232,26 @@ inline Remeshed remesh_from_image(const Geometry_image& image, const Square_bord
     if (!is_on_border(a[0], a[1]) || is_on_border(b[0], b[1])) { return false; }
     for (int y = b[1] - 1; y <= b[1] + 1; ++y)
       for (int x = b[0] - 1; x <= b[0] + 1; ++x)
-        if ((x != a[0] || y != a[1]) && is_on_border(x, y) && same[image.pixel(x, y)] == same[image.pixel(a[0], a[1])]) { return true; }
+        if ((x != a[0] || y != a[1]) && is_on_border(x, y) && same[image.pixel(x, y)] == same[image.pixel(a[0], a[1])])
+        {
+          return true;
+        }
     return false;
   };
   Remeshed result;
   for (int row = 0; row < whole; ++row)
     for (int column = 0; column < whole; ++column)
     {
-      const std::array<std::array<int, 2>, 4> at{{{column, row}, {column + 1, row}, {column + 1, row + 1}, {column, row + 1}}};
+      const std::array<std::array<int, 2>, 4> at{
+        {{column, row}, {column + 1, row}, {column + 1, row + 1}, {column, row + 1}}};
       std::array<Index, 4> v;
       for (int k = 0; k < 4; ++k) { v[k] = same[image.pixel(at[k][0], at[k][1])]; }
-      const auto length = [&](int a) { return distance(image.point(image.pixel(at[a][0], at[a][1])), image.point(image.pixel(at[a + 2][0], at[a + 2][1]))); };
-      const bool is_first_column = column == 0, is_first_row = row == 0, is_last_column = column + 1 == whole, is_last_row = row + 1 == whole;
+      const auto length = [&](int a) {
+        return distance(image.point(image.pixel(at[a][0], at[a][1])),
+                        image.point(image.pixel(at[a + 2][0], at[a + 2][1])));
+      };
+      const bool is_first_column = column == 0, is_first_row = row == 0, is_last_column = column + 1 == whole,
+                 is_last_row = row + 1 == whole;
       bool is_rising = length(0) <= length(1);
       if (border != nullptr)
       {
@@ -236,21 +260,33 @@ inline Remeshed remesh_from_image(const Geometry_image& image, const Square_bord
         if ((is_first_column && is_first_row) || (is_last_column && is_last_row)) { is_rising = true; }
         if ((is_first_column && is_last_row) || (is_last_column && is_first_row)) { is_rising = false; }
       }
-      const std::array<std::array<Index, 3>, 2> faces = is_rising ? std::array<std::array<Index, 3>, 2>{{{v[0], v[1], v[2]}, {v[0], v[2], v[3]}}}
-                                                                  : std::array<std::array<Index, 3>, 2>{{{v[0], v[1], v[3]}, {v[1], v[2], v[3]}}};
-      if (is_rising ? v[1] == v[3] : v[0] == v[2]) { result.faces_left_out += 2; continue; } // a corner of the image, folded
+      const std::array<std::array<Index, 3>, 2> faces =
+        is_rising ? std::array<std::array<Index, 3>, 2>{{{v[0], v[1], v[2]}, {v[0], v[2], v[3]}}}
+                  : std::array<std::array<Index, 3>, 2>{{{v[0], v[1], v[3]}, {v[1], v[2], v[3]}}};
+      // a corner of the image, folded
+      if (is_rising ? v[1] == v[3] : v[0] == v[2])
+      {
+        result.faces_left_out += 2;
+        continue;
+      }
       result.surface.triangles.insert(result.surface.triangles.end(), faces.begin(), faces.end());
     }
 
   std::vector<Index> vertex(same.size(), -1);
-  for (const auto& t : result.surface.triangles) { for (Index p : t) { vertex[p] = 0; } }
+  for (const auto& t : result.surface.triangles)
+  {
+    for (Index p : t) { vertex[p] = 0; }
+  }
   for (std::size_t p = 0; p < same.size(); ++p)
   {
     if (vertex[p] < 0) { continue; }
     vertex[p] = result.surface.number_of_vertices();
     result.surface.points.push_back(image.point(p));
   }
-  for (auto& t : result.surface.triangles) { for (Index& p : t) { p = vertex[p]; } }
+  for (auto& t : result.surface.triangles)
+  {
+    for (Index& p : t) { p = vertex[p]; }
+  }
   for (Index p : same) { result.vertex_of.push_back(vertex[p]); }
   connect(result.surface);
   return result;

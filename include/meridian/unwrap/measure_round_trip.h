@@ -25,18 +25,18 @@ struct Sampled_distance
 /// how well a surface came back from an image.
 struct Round_trip
 {
-  Sampled_distance there;    ///< from the first surface to the second
-  Sampled_distance back;     ///< from the second surface to the first
-  double hausdorff = 0;      ///< the larger of both largest distances
-  double rms = 0;            ///< the larger of both
-  double diagonal = 0;       ///< of the bounding box of the first surface
-  double psnr = 0;           ///< \f$ 20 \log_{10} (diagonal / rms) \f$, in decibels (Gu, Gortler, Hoppe 2002)
+  Sampled_distance there; ///< from the first surface to the second
+  Sampled_distance back;  ///< from the second surface to the first
+  double hausdorff = 0;   ///< the larger of both largest distances
+  double rms = 0;         ///< the larger of both
+  double diagonal = 0;    ///< of the bounding box of the first surface
+  double psnr = 0;        ///< \f$ 20 \log_{10} (diagonal / rms) \f$, in decibels (Gu, Gortler, Hoppe 2002)
 };
 
 namespace internal {
 
-// Calls f(p) for `count` points that lie evenly by area. The order of the faces and the fractional parts of multiples of the plastic number's
-// powers place them; nothing is drawn at random.
+// Calls f(p) for `count` points that lie evenly by area. The order of the faces and the fractional parts of multiples
+// of the plastic number's powers place them; nothing is drawn at random.
 template <class Function> void for_each_sample(const Triangle_surface& s, std::size_t count, const Function& f)
 {
   std::vector<double> area;
@@ -49,8 +49,13 @@ template <class Function> void for_each_sample(const Triangle_surface& s, std::s
   {
     const double up_to = whole * ((static_cast<double>(i) + 0.5) / static_cast<double>(count));
     while (face + 1 < area.size() && area[face] < up_to) { ++face; }
-    double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(i), 1.), v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(i), 1.);
-    if (u + v > 1) { u = 1 - u; v = 1 - v; }
+    double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(i), 1.),
+           v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(i), 1.);
+    if (u + v > 1)
+    {
+      u = 1 - u;
+      v = 1 - v;
+    }
     const auto& t = s.triangles[face];
     f(s.points[t[0]] + u * (s.points[t[1]] - s.points[t[0]]) + v * (s.points[t[2]] - s.points[t[0]]));
   }
@@ -83,7 +88,10 @@ inline Sampled_distance measure_distance(const Triangle_surface& from, const Tri
     sum += squared(p);
     ++samples;
   });
-  for (Index v = 0; v < from.number_of_vertices(); ++v) { if (from.outgoing[v] >= 0) { squared(from.points[v]); } }
+  for (Index v = 0; v < from.number_of_vertices(); ++v)
+  {
+    if (from.outgoing[v] >= 0) { squared(from.points[v]); }
+  }
   return {std::sqrt(largest), samples > 0 ? std::sqrt(sum / static_cast<double>(samples)) : 0};
 }
 
@@ -94,8 +102,9 @@ inline Sampled_distance measure_distance(const Triangle_surface& from, const Tri
  *
  * measures the distance between a surface and what an image made of it, both ways.
  *
- * Distances are those from sample points to the nearest point of the other surface: the Hausdorff distance is measured from below. Samples are all
- * vertices and, evenly by area, as many points as the larger surface has faces, but at least `least_samples`.
+ * Distances are those from sample points to the nearest point of the other surface: the Hausdorff distance is measured
+ * from below. Samples are all vertices and, evenly by area, as many points as the larger surface has faces, but at
+ * least `least_samples`.
  *
  * \param original, remeshed the surfaces
  * \param least_samples how many points inside faces are taken at least, on each surface
@@ -105,7 +114,8 @@ inline Sampled_distance measure_distance(const Triangle_surface& from, const Tri
  * \par Complexity
  * \f$ O(n \log n) \f$ as a rule, with trees of boxes (CGAL's AABB tree)
  */
-inline Round_trip measure_round_trip(const Triangle_surface& original, const Triangle_surface& remeshed, std::size_t least_samples = 100000)
+inline Round_trip measure_round_trip(const Triangle_surface& original, const Triangle_surface& remeshed,
+                                     std::size_t least_samples = 100000)
 {
   const std::size_t count = std::max(least_samples, std::max(original.triangles.size(), remeshed.triangles.size()));
   Round_trip result;
@@ -121,7 +131,8 @@ inline Round_trip measure_round_trip(const Triangle_surface& original, const Tri
       high[c] = std::max(high[c], p[c]);
     }
   result.diagonal = distance(low, high);
-  result.psnr = result.rms > 0 ? 20 * std::log10(result.diagonal / result.rms) : std::numeric_limits<double>::infinity();
+  result.psnr =
+    result.rms > 0 ? 20 * std::log10(result.diagonal / result.rms) : std::numeric_limits<double>::infinity();
   return result;
 }
 

@@ -14,12 +14,15 @@ struct Unwrap_options
 {
   Cut_options cut;
   Map_options map;
-  int family = 1;            ///< how many cuts are compared
-  double stretch_weight = 0; ///< w, 0 to 1: the cut with the least (1 - w) length + w stretch is taken, the length divided by the root of
-                             ///< the area; if it is not 0, links are varied too
-  double max_stretch = 0;    ///< the cut is extended until the L2 stretch is no larger, or no extension lowers it; 0: it is not extended
-  int extensions = 100;      ///< at most
-  int image_size = 0;        ///< if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
+  int family = 1; ///< how many cuts are compared
+  /// w, 0 to 1: the cut with the least (1 - w) length + w stretch is taken, the length divided by the root of the area;
+  /// if it is not 0, links are varied too
+  double stretch_weight = 0;
+  /// the cut is extended until the L2 stretch is no larger, or no extension lowers it; 0: it is not extended
+  double max_stretch = 0;
+  int extensions = 100; ///< at most
+  /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
+  int image_size = 0;
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -29,9 +32,9 @@ struct Unwrap_step
   std::string name;
   double length, stretch_l2; ///< of the seams, on the surface; of the map
   Map_method method;
-  Index flipped;             ///< faces turned over or without area; -1 if there was no map
-  bool is_taken;             ///< whether it was better than those before
-  std::string reason = {};   ///< why there was no map
+  Index flipped;           ///< faces turned over or without area; -1 if there was no map
+  bool is_taken;           ///< whether it was better than those before
+  std::string reason = {}; ///< why there was no map
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -39,9 +42,9 @@ struct Unwrap_step
 struct Unwrapping
 {
   Disc_cut cut;
-  Triangle_surface disc; ///< the cut surface, taken apart
-  Parameterization map;  ///< of `disc`
-  Square_border border;  ///< with `Unwrap_options::image_size`
+  Triangle_surface disc;               ///< the cut surface, taken apart
+  Parameterization map;                ///< of `disc`
+  Square_border border;                ///< with `Unwrap_options::image_size`
   std::vector<Unwrap_step> members;    ///< of the family
   std::vector<Unwrap_step> variations; ///< of the links
   std::vector<Unwrap_step> extensions; ///< of the cut
@@ -63,7 +66,8 @@ inline void extend_cut(const Triangle_surface& root, Disc_cut& cut, Index vertex
 {
   Link_options options;
   options.source = vertex;
-  const auto links = on_edges ? link_boundaries_on_edges(cut.surface, vertex) : link_boundaries(root, cut.surface, options);
+  const auto links =
+    on_edges ? link_boundaries_on_edges(cut.surface, vertex) : link_boundaries(root, cut.surface, options);
   cut.links.insert(cut.links.end(), links.begin(), links.end());
   internal::open_cut(cut);
 }
@@ -71,8 +75,8 @@ inline void extend_cut(const Triangle_surface& root, Disc_cut& cut, Index vertex
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * divides the edges inside the disc that join two vertices of its border, so that no face has all its corners there. In a map into a polygon, faces
- * along one side would have no area.
+ * divides the edges inside the disc that join two vertices of its border, so that no face has all its corners there. In
+ * a map into a polygon, faces along one side would have no area.
  *
  * \param root the surface that was cut
  * \param cut its cut
@@ -83,7 +87,10 @@ inline void divide_border_chords(const Triangle_surface& root, Disc_cut& cut)
 {
   const Triangle_surface disc = surface_of(cut.surface, cut.opened); // its halfedges are those of the surface
   std::vector<Surface_curve> middles;
-  for (Index h : chords_of_loops(disc, make_closed_model(disc))) { middles.push_back({{Curve_point::on_edge(h, 0.5)}, false}); }
+  for (Index h : chords_of_loops(disc, make_closed_model(disc)))
+  {
+    middles.push_back({{Curve_point::on_edge(h, 0.5)}, false});
+  }
   insert_curves(root, cut.surface, middles);
   internal::open_cut(cut);
 }
@@ -91,15 +98,16 @@ inline void divide_border_chords(const Triangle_surface& root, Disc_cut& cut)
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * \returns vertices in the middle of regions that a map stretches more than those around them, the most stretched first. Stretch is smoothed over a
- *          region that grows with the surface.
+ * \returns vertices in the middle of regions that a map stretches more than those around them, the most stretched
+ *          first. Stretch is smoothed over a region that grows with the surface.
  * \param disc the surface
  * \param map its map
  * \param most how many at most
  * \par Complexity
  * \f$ O(n^{1.5}) \f$, for the smoothing
  */
-inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, const Parameterization& map, std::size_t most)
+inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, const Parameterization& map,
+                                                  std::size_t most)
 {
   const Index n = disc.number_of_vertices();
   std::vector<double> sum(n, 0), area(n, 0);
@@ -122,7 +130,10 @@ inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, 
       {
         double around = 0;
         int neighbors = 0;
-        disc.for_each_outgoing(v, [&](Index h) { around += (*values)[disc.target(h)]; ++neighbors; });
+        disc.for_each_outgoing(v, [&](Index h) {
+          around += (*values)[disc.target(h)];
+          ++neighbors;
+        });
         next[v] = ((*values)[v] + around / neighbors) / 2;
       }
       *values = std::move(next);
@@ -133,7 +144,9 @@ inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, 
   {
     if (disc.is_boundary_vertex(v)) { continue; }
     bool is_peak = true;
-    disc.for_each_outgoing(v, [&](Index h) { is_peak = is_peak && (disc.is_boundary_vertex(disc.target(h)) || key(disc.target(h)) < key(v)); });
+    disc.for_each_outgoing(v, [&](Index h) {
+      is_peak = is_peak && (disc.is_boundary_vertex(disc.target(h)) || key(disc.target(h)) < key(v));
+    });
     if (is_peak) { peaks.push_back(v); }
   }
   std::sort(peaks.begin(), peaks.end(), [&](Index v, Index w) { return key(v) > key(w); });
@@ -143,11 +156,12 @@ inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, 
 
 namespace internal {
 
-template <class SymmetricTraits, class GeneralTraits>
-class Unwrapper
+template <class SymmetricTraits, class GeneralTraits> class Unwrapper
 {
 public:
-  Unwrapper(const Triangle_surface& root, const Unwrap_options& options) : m_root(root), m_options(options), m_area(area(root)) {}
+  Unwrapper(const Triangle_surface& root, const Unwrap_options& options)
+    : m_root(root), m_options(options), m_area(area(root))
+  {}
 
   Unwrapping run()
   {
@@ -188,9 +202,18 @@ private:
   // The same for one of several. Returns why it has no map, or nothing.
   std::string try_to_map(Unwrapping& u)
   {
-    try { map(u); }
-    catch (const Invalid_input_error& e) { return e.what(); }
-    catch (const Solver_error& e) { return e.what(); }
+    try
+    {
+      map(u);
+    }
+    catch (const Invalid_input_error& e)
+    {
+      return e.what();
+    }
+    catch (const Solver_error& e)
+    {
+      return e.what();
+    }
     return "";
   }
 
@@ -200,10 +223,16 @@ private:
     return w > 0 ? (1 - w) * length + w * u.map.distortion.stretch_l2 : length;
   }
   // Fewer flipped faces first, then the lower cost.
-  bool is_better(const Unwrapping& a, const Unwrapping& b) const { return std::make_pair(a.map.flipped.size(), cost(a)) < std::make_pair(b.map.flipped.size(), cost(b)); }
+  bool is_better(const Unwrapping& a, const Unwrapping& b) const
+  {
+    return std::make_pair(a.map.flipped.size(), cost(a)) < std::make_pair(b.map.flipped.size(), cost(b));
+  }
 
   static Unwrap_step describe(const std::string& name, const Unwrapping& u, bool is_taken)
-  { return {name, u.cut.length, u.map.distortion.stretch_l2, u.map.method, static_cast<Index>(u.map.flipped.size()), is_taken}; }
+  {
+    return {name,    u.cut.length, u.map.distortion.stretch_l2, u.map.method, static_cast<Index>(u.map.flipped.size()),
+            is_taken};
+  }
 
   // Takes over an unwrapping, but keeps the record of the search.
   void take(Unwrapping&& u)
@@ -233,13 +262,17 @@ private:
       m_chosen = member->options;
       take(std::move(u));
     }
-    if (m_best.map.at.empty()) { throw Solver_error("no cut of the family has a map: " + m_best.members.back().reason); }
+    if (m_best.map.at.empty())
+    {
+      throw Solver_error("no cut of the family has a map: " + m_best.members.back().reason);
+    }
   }
 
   // Other links between the same meridians, as long as one of them is better.
   void vary_links()
   {
-    const bool has_links = m_chosen.method != Cut_method::TREE_COTREE && m_chosen.method != Cut_method::GEOMETRY_IMAGE && m_chosen.tightening != Tightening::GRAPH;
+    const bool has_links = m_chosen.method != Cut_method::TREE_COTREE && m_chosen.method != Cut_method::GEOMETRY_IMAGE
+                           && m_chosen.tightening != Tightening::GRAPH;
     for (bool goes_on = true; goes_on && static_cast<int>(m_best.variations.size()) < m_options.extensions;)
     {
       goes_on = false;
@@ -259,22 +292,32 @@ private:
       for (const auto& [name, options] : choices)
       {
         Unwrapping u;
-        try { u.cut = cut_to_disc<SymmetricTraits, GeneralTraits>(m_root, options); }
-        catch (const Invalid_input_error&) { continue; } // these links do not suit the surface
-        goes_on = judge(name, std::move(u), m_best.variations, [&](const Unwrapping& tried) { return is_better(tried, m_best); });
+        try
+        {
+          u.cut = cut_to_disc<SymmetricTraits, GeneralTraits>(m_root, options);
+        }
+        catch (const Invalid_input_error&)
+        {
+          continue;
+        } // these links do not suit the surface
+        goes_on = judge(name, std::move(u), m_best.variations,
+                        [&](const Unwrapping& tried) { return is_better(tried, m_best); });
         if (!goes_on) { continue; }
         m_chosen = options;
         break;
       }
       for (std::size_t i = 0; i < peaks.size() && !goes_on; ++i)
-        goes_on = extend_to(peaks[i], m_best.variations, [&](const Unwrapping& tried) { return is_better(tried, m_best); });
+        goes_on =
+          extend_to(peaks[i], m_best.variations, [&](const Unwrapping& tried) { return is_better(tried, m_best); });
     }
   }
 
-  // Whether a map is of no use: faces are flipped, or a part of the surface shrank to almost nothing in a map that could have avoided it.
+  // Whether a map is of no use: faces are flipped, or a part of the surface shrank to almost nothing in a map that
+  // could have avoided it.
   bool is_useless() const
   {
-    const bool could_unfold = m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
+    const bool could_unfold =
+      m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
     return !m_best.map.flipped.empty() || (could_unfold && m_best.map.distortion.stretch_l2 > useless_stretch);
   }
 
@@ -282,19 +325,25 @@ private:
   void extend()
   {
     const auto is_progress = [&](const Unwrapping& u) {
-      return std::make_pair(u.map.flipped.size(), u.map.distortion.stretch_l2) < std::make_pair(m_best.map.flipped.size(), m_best.map.distortion.stretch_l2);
+      return std::make_pair(u.map.flipped.size(), u.map.distortion.stretch_l2)
+             < std::make_pair(m_best.map.flipped.size(), m_best.map.distortion.stretch_l2);
     };
     const auto may_go_on = [&] { return static_cast<int>(m_best.extensions.size()) < m_options.extensions; };
     for (bool goes_on = true; goes_on && may_go_on() && is_useless();) { goes_on = extend_to_useless(is_progress); }
-    for (bool goes_on = true; goes_on && may_go_on() && m_options.max_stretch > 0 && m_best.map.distortion.stretch_l2 > m_options.max_stretch;)
+    for (bool goes_on = true; goes_on && may_go_on() && m_options.max_stretch > 0
+                              && m_best.map.distortion.stretch_l2 > m_options.max_stretch;)
     {
       goes_on = false;
       const auto peaks = find_stretched_vertices(m_best.disc, m_best.map, 4);
-      for (std::size_t i = 0; i < peaks.size() && !goes_on; ++i) { goes_on = extend_to(peaks[i], m_best.extensions, is_progress); }
+      for (std::size_t i = 0; i < peaks.size() && !goes_on; ++i)
+      {
+        goes_on = extend_to(peaks[i], m_best.extensions, is_progress);
+      }
     }
   }
 
-  // To some vertices of faces that are flipped or all but vanish: each time to the one deepest inside the disc, until none is a quarter as deep as the first.
+  // To some vertices of faces that are flipped or all but vanish: each time to the one deepest inside the disc, until
+  // none is a quarter as deep as the first.
   template <class Is_progress> bool extend_to_useless(const Is_progress& is_progress)
   {
     Unwrapping u;
@@ -302,7 +351,10 @@ private:
     std::vector<char> is_marked(u.cut.surface.number_of_vertices(), 0);
     for (std::size_t f = 0; f < m_best.map.faces.size(); ++f)
       for (Index v : m_best.disc.triangles[f])
-        if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v)) { is_marked[v] = 1; }
+        if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v))
+        {
+          is_marked[v] = 1;
+        }
     int extended = 0;
     for (double first = 0; extended < 16; ++extended)
     {
@@ -311,15 +363,22 @@ private:
       const auto depth = edge_distances(g, edge_lengths(disc, g), g.first_loop_node);
       Index deepest = -1;
       for (Index v = 0; v < static_cast<Index>(is_marked.size()); ++v)
-        if (is_marked[v] && !disc.is_boundary_vertex(v) && (deepest < 0 || depth[g.node[v]] > depth[g.node[deepest]])) { deepest = v; }
+        if (is_marked[v] && !disc.is_boundary_vertex(v) && (deepest < 0 || depth[g.node[v]] > depth[g.node[deepest]]))
+        {
+          deepest = v;
+        }
       if (deepest < 0 || depth[g.node[deepest]] < first / 4) { break; }
       if (extended == 0) { first = depth[g.node[deepest]]; }
       extend_cut(m_root, u.cut, deepest, m_chosen.on_edges);
     }
-    return extended > 0 && judge("extended to " + std::to_string(extended) + " vertices of faces that were flipped or all but vanished", std::move(u), m_best.extensions, is_progress);
+    return extended > 0
+           && judge("extended to " + std::to_string(extended)
+                      + " vertices of faces that were flipped or all but vanished",
+                    std::move(u), m_best.extensions, is_progress);
   }
 
-  template <class Is_progress> bool extend_to(Index vertex, std::vector<Unwrap_step>& record, const Is_progress& is_progress)
+  template <class Is_progress>
+  bool extend_to(Index vertex, std::vector<Unwrap_step>& record, const Is_progress& is_progress)
   {
     Unwrapping u;
     u.cut = m_best.cut;
@@ -328,10 +387,14 @@ private:
   }
 
   // Recounts a cut, maps it, and takes it if it is better. The record is part of the best.
-  template <class Is_progress> bool judge(const std::string& name, Unwrapping&& u, std::vector<Unwrap_step>& record, const Is_progress& is_progress)
+  template <class Is_progress>
+  bool judge(const std::string& name, Unwrapping&& u, std::vector<Unwrap_step>& record, const Is_progress& is_progress)
   {
     const Verification recount = verify_cut(m_root, u.cut);
-    if (!recount) { throw Internal_error("unwrap_surface: the recount of a cut " + name + " found " + recount.failures.front()); }
+    if (!recount)
+    {
+      throw Internal_error("unwrap_surface: the recount of a cut " + name + " found " + recount.failures.front());
+    }
     const std::string failure = try_to_map(u);
     if (!failure.empty())
     {
@@ -359,10 +422,10 @@ private:
  *
  * cuts a connected surface into a disc and maps it into the plane.
  *
- * The cut is the best of a family for the paper's functional, (1 - w) length + w stretch (Patane 2007, section 3.3); then its links are varied
- * as long as that gains. It is extended to the regions of highest stretch until the stretch is as small as asked (Gu, Gortler, Hoppe 2002), and, whether
- * asked or not, while faces are turned over, or a map with a free border has an L2 stretch of more than 100, which only a better cut can mend. Every cut
- * is recounted.
+ * The cut is the best of a family for the paper's functional, (1 - w) length + w stretch (Patane 2007, section 3.3);
+ * then its links are varied as long as that gains. It is extended to the regions of highest stretch until the stretch
+ * is as small as asked (Gu, Gortler, Hoppe 2002), and, whether asked or not, while faces are turned over, or a map with
+ * a free border has an L2 stretch of more than 100, which only a better cut can mend. Every cut is recounted.
  *
  * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param root the surface
@@ -376,7 +439,9 @@ private:
  */
 template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
 Unwrapping unwrap_surface(const Triangle_surface& root, const Unwrap_options& options = Unwrap_options())
-{ return internal::Unwrapper<SymmetricTraits, GeneralTraits>(root, options).run(); }
+{
+  return internal::Unwrapper<SymmetricTraits, GeneralTraits>(root, options).run();
+}
 
 } // namespace meridian
 

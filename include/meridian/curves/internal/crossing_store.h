@@ -11,8 +11,8 @@
 namespace meridian {
 namespace internal {
 
-// Curves as chains of crossings with edges, an order of the crossings on every edge, and the ends of open curves at vertices.
-// Every change can be taken back: see Trial.
+// Curves as chains of crossings with edges, an order of the crossings on every edge, and the ends of open curves at
+// vertices. Every change can be taken back: see Trial.
 class Crossing_store
 {
 public:
@@ -23,9 +23,9 @@ public:
   {
     Index halfedge; ///< by which the curve leaves a face
     Index curve;
-    Id prev, next;  ///< along the curve; -1 where an open curve ends
-    double t;       ///< fraction along the edge `surface().edge(halfedge)`
-    Index place;    ///< among the crossings of the edge
+    Id prev, next; ///< along the curve; -1 where an open curve ends
+    double t;      ///< fraction along the edge `surface().edge(halfedge)`
+    Index place;   ///< among the crossings of the edge
   };
   /// an end of an open curve.
   struct End
@@ -36,7 +36,8 @@ public:
   };
 
   Crossing_store(const Triangle_surface& surface, Index curves)
-    : m_surface(surface), m_curves(curves), m_slot(surface.number_of_halfedges(), -1) {}
+    : m_surface(surface), m_curves(curves), m_slot(surface.number_of_halfedges(), -1)
+  {}
 
   const Triangle_surface& surface() const { return m_surface; }
   Index number_of_curves() const { return static_cast<Index>(m_curves.size()); }
@@ -80,8 +81,8 @@ public:
     return all;
   }
 
-  /// replaces the crossings from `first` to `last` of one curve by others, each at an end of its edge: at the target of its
-  /// halfedge if `at_target` is set, at the source otherwise.
+  /// replaces the crossings from `first` to `last` of one curve by others, each at an end of its edge: at the target of
+  /// its halfedge if `at_target` is set, at the source otherwise.
   void reroute(Id first, Id last, const std::vector<Index>& halfedges, bool at_target)
   {
     const Index curve = m_crossings[first].curve;
@@ -103,8 +104,9 @@ public:
     if (!open) { edit_curve(curve).first = after; }
     else if (nearest({curve, false}) < 0) { lay_along(curve); }
   }
-  /// moves an end of an open curve to vertex `to`: from there the curve crosses `halfedges`, near to vertex `around`, on its way to what
-  /// is left of it. The halfedges are those by which it leaves faces on its way from `to`. What leads round `to` alone is left out.
+  /// moves an end of an open curve to vertex `to`: from there the curve crosses `halfedges`, near to vertex `around`,
+  /// on its way to what is left of it. The halfedges are those by which it leaves faces on its way from `to`. What
+  /// leads round `to` alone is left out.
   void extend(const End& end, Index to, const std::vector<Index>& halfedges, Index around)
   {
     const Index curve = end.curve;
@@ -127,7 +129,9 @@ public:
   void trim(const End& end)
   {
     const Index v = vertex(end);
-    for (Id x = nearest(end); x >= 0 && (m_surface.source(m_crossings[x].halfedge) == v || m_surface.target(m_crossings[x].halfedge) == v); x = nearest(end))
+    for (Id x = nearest(end);
+         x >= 0 && (m_surface.source(m_crossings[x].halfedge) == v || m_surface.target(m_crossings[x].halfedge) == v);
+         x = nearest(end))
     {
       unlist(x);
       if (end.is_last) { join(end.curve, m_crossings[x].prev, -1); }
@@ -143,8 +147,8 @@ public:
     if (g < 0) { throw Internal_error("edge_along: the ends of a curve are not joined by an edge"); }
     return m_surface.edge(g);
   }
-  /// joins two curves that end at one vertex, and passes it: the new curve crosses `halfedges`, near to the vertex, on its way from
-  /// the first to the second.
+  /// joins two curves that end at one vertex, and passes it: the new curve crosses `halfedges`, near to the vertex, on
+  /// its way from the first to the second.
   /// \returns the new curve
   Index splice(const End& from, const End& to, const std::vector<Index>& halfedges)
   {
@@ -161,7 +165,11 @@ public:
     const std::size_t size = chain.size();
     take(to.curve, to.is_last);
     std::size_t same = 0; // crossings that the two have in common next to the vertex, if no halfedge is between them
-    while (halfedges.empty() && same < size && size + same < chain.size() && edge(chain[size - 1 - same].first) == edge(chain[size + same].first)) { ++same; }
+    while (halfedges.empty() && same < size && size + same < chain.size()
+           && edge(chain[size - 1 - same].first) == edge(chain[size + same].first))
+    {
+      ++same;
+    }
     for (std::size_t i = size - same; i < size + same; ++i) { unlist(chain[i].first); }
     chain.erase(chain.begin() + (size - same), chain.begin() + (size + same));
     const std::array<Index, 2> ends{vertex({from.curve, !from.is_last}), vertex({to.curve, !to.is_last})};
@@ -291,7 +299,10 @@ protected:
   void lay_along(Index curve)
   {
     const Index e = edge_along(curve);
-    if (!is_free(e) || m_surface.opposite[e] < 0) { throw Internal_error("Crossing_store: a curve runs along an edge that is not free"); }
+    if (!is_free(e) || m_surface.opposite[e] < 0)
+    {
+      throw Internal_error("Crossing_store: a curve runs along an edge that is not free");
+    }
     set_along(e, curve);
   }
   // Makes open curves of crossings that are in no curve any more.
@@ -323,7 +334,10 @@ protected:
   }
 
 private:
-  template <class Undo> void note(Undo undo) { if (m_trials > 0) { m_undo.emplace_back(std::move(undo)); } }
+  template <class Undo> void note(Undo undo)
+  {
+    if (m_trials > 0) { m_undo.emplace_back(std::move(undo)); }
+  }
   std::vector<Id>& edit_list(Index e)
   {
     if (m_slot[e] < 0)
@@ -339,7 +353,9 @@ private:
     return list;
   }
   void number(const std::vector<Id>& list, Index from)
-  { for (std::size_t i = from; i < list.size(); ++i) { m_crossings[list[i]].place = static_cast<Index>(i); } }
+  {
+    for (std::size_t i = from; i < list.size(); ++i) { m_crossings[list[i]].place = static_cast<Index>(i); }
+  }
   void edit_ends(Index v, const End& e, bool is_new)
   {
     auto& ends = m_ends[v];
@@ -356,13 +372,13 @@ private:
   const Triangle_surface& m_surface;
   std::vector<Crossing> m_crossings;
   std::vector<Curve> m_curves;
-  std::vector<Index> m_slot;                          // of each edge: its list, or -1
+  std::vector<Index> m_slot; // of each edge: its list, or -1
   std::vector<std::vector<Id>> m_lists;
   std::unordered_map<Index, std::vector<End>> m_ends; // at vertices where curves end
   std::unordered_map<Index, Index> m_along;           // curves that run along an edge
   std::vector<std::function<void()>> m_undo;
   int m_trials = 0;
-  std::vector<Id> m_none;                             // the list of an edge that has none
+  std::vector<Id> m_none; // the list of an edge that has none
   std::vector<End> m_no_ends;
 };
 

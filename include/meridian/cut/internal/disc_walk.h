@@ -7,11 +7,17 @@
 namespace meridian {
 namespace internal {
 
-// The way around a disc that is a surface cut along a network: the curves' sides and pieces of the surface's boundary, with the disc on
-// the left. `curve` is -1 for a piece of boundary; another side follows it.
-struct Disc_side { Index curve; bool is_forward; Index corner; /* the vertex after it */ };
+// The way around a disc that is a surface cut along a network: the curves' sides and pieces of the surface's boundary,
+// with the disc on the left. `curve` is -1 for a piece of boundary; another side follows it.
+struct Disc_side
+{
+  Index curve;
+  bool is_forward;
+  Index corner; /* the vertex after it */
+};
 
-// Writes the sides of all discs that the network cuts the surface into; each begins at `begin`. With one disc every curve is there twice.
+// Writes the sides of all discs that the network cuts the surface into; each begins at `begin`. With one disc every
+// curve is there twice.
 inline std::vector<Disc_side> walk_around(const Normal_curves& curves, std::vector<std::size_t>& begin)
 {
   const Triangle_surface& s = curves.surface();
@@ -37,10 +43,13 @@ inline std::vector<Disc_side> walk_around(const Normal_curves& curves, std::vect
         Index v = curves.vertex(in);
         sides.push_back({in.curve, in.is_last, v});
         const Network_star* star = &star_of(v);
-        std::size_t i = std::find_if(star->arms.begin(), star->arms.end(), [&](const auto& a) { return a.end == in; }) - star->arms.begin();
+        std::size_t i = std::find_if(star->arms.begin(), star->arms.end(), [&](const auto& a) { return a.end == in; })
+                        - star->arms.begin();
         if (i == 0 && !star->is_closed)
         {
-          do { v = s.target(s.outgoing[v]); } while (curves.ends_at(v).empty());
+          do {
+            v = s.target(s.outgoing[v]);
+          } while (curves.ends_at(v).empty());
           sides.push_back({-1, true, v});
           star = &star_of(v);
           i = star->arms.size();

@@ -11,7 +11,8 @@
 namespace meridian {
 namespace internal {
 
-// Calls `f(h, w)` for each edge at `v` once, with a halfedge of it (which leaves or, on the boundary, reaches `v`) and its other end.
+// Calls `f(h, w)` for each edge at `v` once, with a halfedge of it (which leaves or, on the boundary, reaches `v`) and
+// its other end.
 template <class Function> void for_each_edge_at(const Triangle_surface& s, Index v, Function f)
 {
   s.for_each_outgoing(v, [&](Index h) {
@@ -21,7 +22,8 @@ template <class Function> void for_each_edge_at(const Triangle_surface& s, Index
   });
 }
 
-// Shortest ways along edges: for each vertex the distance, the halfedge of the last edge (-1 at a start) and the vertex before.
+// Shortest ways along edges: for each vertex the distance, the halfedge of the last edge (-1 at a start) and the vertex
+// before.
 struct Edge_tree
 {
   std::vector<double> distance;
@@ -30,10 +32,12 @@ struct Edge_tree
 
 // From starts with a distance each; `cost(h)` of an edge is not negative, and may be infinite (Dijkstra 1959).
 template <class Cost>
-Edge_tree grow_edge_tree(const Triangle_surface& s, const std::vector<std::pair<double, Index>>& starts, const Cost& cost)
+Edge_tree grow_edge_tree(const Triangle_surface& s, const std::vector<std::pair<double, Index>>& starts,
+                         const Cost& cost)
 {
   const Index n = s.number_of_vertices();
-  Edge_tree tree{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Index>(n, -1), std::vector<Index>(n, -1)};
+  Edge_tree tree{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Index>(n, -1),
+                 std::vector<Index>(n, -1)};
   using Entry = std::pair<double, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (const auto& [d, v] : starts)
@@ -71,32 +75,45 @@ inline std::vector<Index> way_to(const Triangle_surface& s, const Edge_tree& tre
 inline std::vector<Index> flagged_edges(const Triangle_surface& s, const std::vector<char>& flags)
 {
   std::vector<Index> edges;
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { if (flags[h] && s.edge(h) == h) { edges.push_back(h); } }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (flags[h] && s.edge(h) == h) { edges.push_back(h); }
+  }
   return edges;
 }
 
 // Of a connected surface; closed or not.
-inline bool is_sphere(const Triangle_surface& s) { return s.number_of_vertices() - s.number_of_edges() + s.number_of_faces() == 2; }
+inline bool is_sphere(const Triangle_surface& s)
+{
+  return s.number_of_vertices() - s.number_of_edges() + s.number_of_faces() == 2;
+}
 
-// The shortest way of at least two edges from `from`, or a vertex far out if that is -1, to the vertex that is farthest from it.
+// The shortest way of at least two edges from `from`, or a vertex far out if that is -1, to the vertex that is farthest
+// from it.
 inline std::vector<Index> cut_sphere(const Triangle_surface& s, Index from)
 {
-  if (from < 0) { from = find_distant_nodes(s, make_closed_model(s)).first; } // a closed surface's nodes are its vertices
+  // a closed surface's nodes are its vertices
+  if (from < 0) { from = find_distant_nodes(s, make_closed_model(s)).first; }
   Edge_tree tree = grow_edge_tree(s, {{0., from}}, [&](Index h) { return s.length(h); });
   Index to = from == 0 ? 1 : 0;
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { if (v != from && tree.distance[v] > tree.distance[to]) { to = v; } }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    if (v != from && tree.distance[v] > tree.distance[to]) { to = v; }
+  }
   if (tree.from[to] == from) // one edge would open nothing; a face beside it has another way
   {
     const Index e = s.edge(tree.by[to]);
-    tree = grow_edge_tree(s, {{0., from}}, [&](Index h) { return s.edge(h) == e ? std::numeric_limits<double>::infinity() : s.length(h); });
+    tree = grow_edge_tree(
+      s, {{0., from}}, [&](Index h) { return s.edge(h) == e ? std::numeric_limits<double>::infinity() : s.length(h); });
   }
   std::vector<Index> edges = way_to(s, tree, to);
   std::sort(edges.begin(), edges.end());
   return edges;
 }
 
-// Flags, on both halfedges, the edges inside the surface that a spanning tree of the faces does not cross. The tree takes edges
-// in the order given (Kruskal 1956). What is left, with the boundary, is connected, and the faces make one disc beside it.
+// Flags, on both halfedges, the edges inside the surface that a spanning tree of the faces does not cross. The tree
+// takes edges in the order given (Kruskal 1956). What is left, with the boundary, is connected, and the faces make one
+// disc beside it.
 inline std::vector<char> edges_beside_face_tree(const Triangle_surface& s, const std::vector<Index>& order)
 {
   std::vector<Index> parent(s.number_of_faces()), rank(s.number_of_faces(), 0);
@@ -114,21 +131,26 @@ inline std::vector<char> edges_beside_face_tree(const Triangle_surface& s, const
   return is_left;
 }
 
-// Takes off edges that dangle: those of a vertex inside the surface that ends no other. This opens the disc no less: the two copies of
-// such an edge are neighbours on its rim, and glueing them leaves a disc.
+// Takes off edges that dangle: those of a vertex inside the surface that ends no other. This opens the disc no less:
+// the two copies of such an edge are neighbours on its rim, and glueing them leaves a disc.
 inline void prune(const Triangle_surface& s, std::vector<char>& is_cut)
 {
   std::vector<Index> degree(s.number_of_vertices(), 0), dangling;
   for (Index h = 0; h < s.number_of_halfedges(); ++h) { degree[s.source(h)] += is_cut[h]; }
   const auto dangles = [&](Index v) { return degree[v] == 1 && !s.is_boundary_vertex(v); };
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { if (dangles(v)) { dangling.push_back(v); } }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    if (dangles(v)) { dangling.push_back(v); }
+  }
   while (!dangling.empty())
   {
     const Index v = dangling.back();
     dangling.pop_back();
     if (degree[v] == 0) { continue; } // the other end came first
     Index last = -1;
-    s.for_each_outgoing(v, [&](Index h) { if (is_cut[h]) { last = h; } });
+    s.for_each_outgoing(v, [&](Index h) {
+      if (is_cut[h]) { last = h; }
+    });
     const Index w = s.target(last);
     is_cut[last] = is_cut[s.opposite[last]] = 0;
     --degree[v];
@@ -137,8 +159,8 @@ inline void prune(const Triangle_surface& s, std::vector<char>& is_cut)
   }
 }
 
-// For each face the halfedge by which the face before was left, on the shortest way from a seed; -1 there. The distance of a face is
-// measured to the middle of the edge by which it was entered.
+// For each face the halfedge by which the face before was left, on the shortest way from a seed; -1 there. The distance
+// of a face is measured to the middle of the edge by which it was entered.
 inline std::vector<Index> face_tree(const Triangle_surface& s, Index seed)
 {
   std::vector<double> at(s.number_of_faces(), std::numeric_limits<double>::infinity());
@@ -152,7 +174,8 @@ inline std::vector<Index> face_tree(const Triangle_surface& s, Index seed)
     queue.pop();
     if (d > at[f]) { continue; }
     const auto& t = s.triangles[f];
-    const Point entry = by[f] >= 0 ? s.point_on(by[f], 0.5) : (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
+    const Point entry =
+      by[f] >= 0 ? s.point_on(by[f], 0.5) : (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
       if (s.opposite[h] < 0) { continue; }

@@ -25,7 +25,8 @@ inline void tidy_vertex(Normal_curves& curves, Index v)
   }
   if (ends.size() != 2 || ends[0].curve == ends[1].curve) { return; }
   const Network_star star = make_star(curves, v);
-  auto right = spokes_between(star, star.arms[1].at, star.arms[0].at); // from one arm to the other, on either side of the vertex
+  // from one arm to the other, on either side of the vertex
+  auto right = spokes_between(star, star.arms[1].at, star.arms[0].at);
   auto left = spokes_between(star, star.arms[0].at, star.arms[1].at);
   if (star.arms[0].at == star.arms[1].at) { left.clear(); } // both leave through one corner
   const bool on_right = right.size() < left.size();
@@ -34,11 +35,14 @@ inline void tidy_vertex(Normal_curves& curves, Index v)
   curves.splice(star.arms[on_right].end, star.arms[!on_right].end, on_right ? right : left);
 }
 
-// Finds new curves through the disc that a network leaves of its surface. One that ends on different sides of an old curve may take its place.
+// Finds new curves through the disc that a network leaves of its surface. One that ends on different sides of an old
+// curve may take its place.
 class Network_exchange
 {
 public:
-  explicit Network_exchange(Normal_curves& curves) : m_curves(curves), m_surface(curves.surface()), m_plain(m_surface.number_of_halfedges()) {}
+  explicit Network_exchange(Normal_curves& curves)
+    : m_curves(curves), m_surface(curves.surface()), m_plain(m_surface.number_of_halfedges())
+  {}
 
   // Puts shorter curves in the place of others. Returns how many. `pause` is called between tries; it may throw.
   int run(const Tighten_options& options, const std::function<void()>& pause)
@@ -62,9 +66,13 @@ public:
 
 private:
   using Gap = Normal_curves::Gap;
-  // Where a new curve may begin: at a vertex of the network or of the boundary, or at a crossing of a curve, which is then
-  // moved to a vertex.
-  struct Root { Index vertex, crossing; std::size_t side; };
+  // Where a new curve may begin: at a vertex of the network or of the boundary, or at a crossing of a curve, which is
+  // then moved to a vertex.
+  struct Root
+  {
+    Index vertex, crossing;
+    std::size_t side;
+  };
   struct Reached
   {
     double distance = std::numeric_limits<double>::infinity();
@@ -73,13 +81,22 @@ private:
     std::uint32_t run = 0; // the search that this belongs to
     bool is_done = false;
   };
-  // A way through the disc: from `gap` on back to its root, and from `to` on, which lies on the same region of `face`. The sides of the disc where
-  // it begins and ends are known by their curve and direction, or as a piece of boundary by a vertex on it.
-  struct Candidate { double length = std::numeric_limits<double>::infinity(); Gap gap{-1, -1}, to{-1, -1}; Index face = -1; std::array<Disc_side, 2> sides; };
+  // A way through the disc: from `gap` on back to its root, and from `to` on, which lies on the same region of `face`.
+  // The sides of the disc where it begins and ends are known by their curve and direction, or as a piece of boundary by
+  // a vertex on it.
+  struct Candidate
+  {
+    double length = std::numeric_limits<double>::infinity();
+    Gap gap{-1, -1}, to{-1, -1};
+    Index face = -1;
+    std::array<Disc_side, 2> sides;
+  };
 
   Reached& reached(const Gap& g)
   {
-    Reached& r = m_curves.on(g.edge).empty() ? m_plain[g.edge] : m_crowded[static_cast<std::uint64_t>(g.edge) << 32 | static_cast<std::uint32_t>(g.place)];
+    Reached& r = m_curves.on(g.edge).empty()
+                   ? m_plain[g.edge]
+                   : m_crowded[static_cast<std::uint64_t>(g.edge) << 32 | static_cast<std::uint32_t>(g.place)];
     if (r.run != m_run)
     {
       r = Reached{};
@@ -96,7 +113,8 @@ private:
     const auto& list = m_curves.on(e);
     if (list.empty()) { return -1; } // it was taken out since
     const auto is_usable = [&](Index v) { return !m_surface.is_boundary_vertex(v) && m_curves.ends_at(v).empty(); };
-    const bool first = list.front() == x && is_usable(m_surface.source(e)), last = list.back() == x && is_usable(m_surface.target(e));
+    const bool first = list.front() == x && is_usable(m_surface.source(e)),
+               last = list.back() == x && is_usable(m_surface.target(e));
     if (first && (!last || m_curves[x].t <= 0.5)) { return m_surface.source(e); }
     return last ? m_surface.target(e) : -1;
   }
@@ -105,7 +123,11 @@ private:
   {
     std::vector<std::size_t> begin;
     m_sides = walk_around(m_curves, begin);
-    if (begin.size() != 1) { throw Internal_error("Network_exchange: the network leaves " + std::to_string(begin.size()) + " pieces and not a disc"); }
+    if (begin.size() != 1)
+    {
+      throw Internal_error("Network_exchange: the network leaves " + std::to_string(begin.size())
+                           + " pieces and not a disc");
+    }
     m_place.resize(m_curves.number_of_curves());
     m_boundary_place.clear();
     for (std::size_t i = 0; i < m_sides.size(); ++i)
@@ -114,7 +136,10 @@ private:
       else { m_boundary_place[m_sides[i].corner] = i; }
     }
     m_length.resize(m_curves.number_of_curves());
-    for (Index c = 0; c < m_curves.number_of_curves(); ++c) { if (m_curves.is_open(c)) { m_length[c] = curve_length(m_curves, c); } }
+    for (Index c = 0; c < m_curves.number_of_curves(); ++c)
+    {
+      if (m_curves.is_open(c)) { m_length[c] = curve_length(m_curves, c); }
+    }
   }
 
   // Dijkstra's algorithm on gaps, from all sides of the disc. Where two sides' cells touch there is a candidate.
@@ -158,7 +183,8 @@ private:
       else
       {
         const Disc_side& before = m_sides[(i + m_sides.size() - 1) % m_sides.size()];
-        for (Index v = m_surface.target(m_surface.outgoing[before.corner]); v != side.corner; v = m_surface.target(m_surface.outgoing[v]))
+        for (Index v = m_surface.target(m_surface.outgoing[before.corner]); v != side.corner;
+             v = m_surface.target(m_surface.outgoing[v]))
         {
           std::vector<Index> spokes;
           m_surface.for_each_outgoing(v, [&](Index h) { spokes.push_back(h); });
@@ -170,7 +196,9 @@ private:
       if (is_new) { known->second = make_star(m_curves, side.corner); }
       const Network_star& star = known->second;
       const auto arm_of = [&](const Disc_side& of, bool is_last) {
-        return std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& arm) { return arm.end == Network_end{of.curve, is_last}; });
+        return std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& arm) {
+          return arm.end == Network_end{of.curve, is_last};
+        });
       };
       const auto here = side.curve >= 0 ? arm_of(side, side.is_forward) : star.arms.end();
       const auto there = next.curve >= 0 ? arm_of(next, !next.is_forward) : star.arms.end();
@@ -179,7 +207,8 @@ private:
       if (from == to && there < here) { continue; } // both leave through one corner
       start_at_vertex(side.corner, spokes_between(star, from, to), i);
     }
-    const double farthest = m_length.empty() ? 0 : *std::max_element(m_length.begin(), m_length.end()); // no way longer than this is of use
+    // no way longer than this is of use
+    const double farthest = m_length.empty() ? 0 : *std::max_element(m_length.begin(), m_length.end());
     while (!queue.empty())
     {
       const Gap gap{std::get<1>(queue.top()), std::get<2>(queue.top())};
@@ -200,7 +229,10 @@ private:
             const std::size_t a = m_roots[here.root].side, b = m_roots[there.root].side;
             if (a == b || here.face == face || there.face == face) { return; } // the way would turn back
             Candidate& c = m_candidates[{std::min(a, b), std::max(a, b)}];
-            if (d + there.distance < c.length) { c = {d + there.distance, gap, to, face, {known_as(here.root), known_as(there.root)}}; }
+            if (d + there.distance < c.length)
+            {
+              c = {d + there.distance, gap, to, face, {known_as(here.root), known_as(there.root)}};
+            }
             return;
           }
           if (here.face == face || !(d < there.distance) || d > farthest) { return; }
@@ -244,8 +276,12 @@ private:
     for (std::size_t i = (from + 1) % n; i != to; i = (i + 1) % n)
     {
       const Index curve = m_sides[i].curve;
-      if (curve < 0 || curve == c.sides[0].curve || curve == c.sides[1].curve || !(m_length[curve] > best.second)) { continue; }
-      if (steps(m_place[curve][!m_sides[i].is_forward]) > steps(to)) { best = {curve, m_length[curve]}; } // its other side is beyond
+      if (curve < 0 || curve == c.sides[0].curve || curve == c.sides[1].curve || !(m_length[curve] > best.second))
+      {
+        continue;
+      }
+      // its other side is beyond
+      if (steps(m_place[curve][!m_sides[i].is_forward]) > steps(to)) { best = {curve, m_length[curve]}; }
     }
     return best;
   }
@@ -274,7 +310,10 @@ private:
     const Root root_1 = m_roots[reached(way.front()).root], root_2 = m_roots[reached(way.back()).root];
     const Index v = root_1.crossing >= 0 ? free_vertex_beside(root_1.crossing) : root_1.vertex;
     const Index w = root_2.crossing >= 0 ? free_vertex_beside(root_2.crossing) : root_2.vertex;
-    for (Index u : {v, w}) { if (u < 0 || m_changed_vertices.count(u) > 0) { return false; } }
+    for (Index u : {v, w})
+    {
+      if (u < 0 || m_changed_vertices.count(u) > 0) { return false; }
+    }
     if (v == w || (root_1.crossing >= 0 && root_1.crossing == root_2.crossing)) { return false; }
 
     // The faces between gaps tell the halfedges. What only leads round an end is left out.
@@ -283,12 +322,15 @@ private:
     for (std::size_t i = 0; i + 1 < way.size(); ++i)
     {
       const bool in_first = i + 1 < way.size() - rest.size();
-      faces.push_back(in_first ? reached(way[i + 1]).face : i + 1 == way.size() - rest.size() ? c.face : reached(way[i]).face);
+      faces.push_back(in_first                            ? reached(way[i + 1]).face
+                      : i + 1 == way.size() - rest.size() ? c.face
+                                                          : reached(way[i]).face);
     }
     for (std::size_t i = 0; i < way.size(); ++i)
     {
       const Index e = way[i].edge, o = m_surface.opposite[e];
-      const Index h = i < faces.size() ? (m_surface.face(e) == faces[i] ? o : e) : (m_surface.face(e) == faces[i - 1] ? e : o);
+      const Index h =
+        i < faces.size() ? (m_surface.face(e) == faces[i] ? o : e) : (m_surface.face(e) == faces[i - 1] ? e : o);
       steps.push_back({h, way[i].place, m_curves.middle(way[i])});
     }
     std::size_t first = 0, last = steps.size();
@@ -296,10 +338,16 @@ private:
     while (first < last && touches(m_surface, steps[last - 1].halfedge, w)) { --last; }
     steps = {steps.begin() + first, steps.begin() + last};
     for (const Gap& g : way) // an exchange before this one may have put a curve's end in the way
-      for (Index u : {m_surface.source(g.edge), m_surface.target(g.edge)}) { if (m_changed_vertices.count(u) > 0) { return false; } }
+      for (Index u : {m_surface.source(g.edge), m_surface.target(g.edge)})
+      {
+        if (m_changed_vertices.count(u) > 0) { return false; }
+      }
     for (std::size_t i = 0; i < steps.size(); ++i)
     {
-      for (Index u : {v, w}) { if (touches(m_surface, steps[i].halfedge, u)) { return false; } }
+      for (Index u : {v, w})
+      {
+        if (touches(m_surface, steps[i].halfedge, u)) { return false; }
+      }
       if (i > 0 && m_surface.edge(steps[i].halfedge) == m_surface.edge(steps[i - 1].halfedge)) { return false; }
     }
     if (steps.empty())
@@ -315,9 +363,13 @@ private:
       if (m_curves.nearest({curve, false}) < 0) { edges.insert(m_curves.edge_along(curve)); }
       for (bool is_last : {false, true}) { vertices.insert(m_curves.vertex({curve, is_last})); }
     };
-    for (const Root& root : {root_1, root_2}) { if (root.crossing >= 0) { removed.insert(m_curves[root.crossing].curve); } }
+    for (const Root& root : {root_1, root_2})
+    {
+      if (root.crossing >= 0) { removed.insert(m_curves[root.crossing].curve); }
+    }
     for (bool is_last : {false, true})
-      for (const Network_end& e : m_curves.ends_at(m_curves.vertex({old, is_last}))) { removed.insert(e.curve); } // or perhaps not
+      // or perhaps not
+      for (const Network_end& e : m_curves.ends_at(m_curves.vertex({old, is_last}))) { removed.insert(e.curve); }
     for (Index curve : removed) { note(curve); }
     Normal_curves::Trial trial(m_curves);
     if (root_1.crossing >= 0) { m_curves.split(root_1.crossing, v); }
@@ -326,13 +378,20 @@ private:
       if (free_vertex_beside(root_2.crossing) != w) { return false; }
       m_curves.split(root_2.crossing, w);
     }
-    if (steps.empty() && !m_curves.is_free(m_surface.edge(std::max(m_surface.find_halfedge(v, w), m_surface.find_halfedge(w, v))))) { return false; }
+    if (steps.empty()
+        && !m_curves.is_free(m_surface.edge(std::max(m_surface.find_halfedge(v, w), m_surface.find_halfedge(w, v)))))
+    {
+      return false;
+    }
     m_curves.add(v, w, steps);
     const std::array<Index, 2> ends{m_curves.vertex({old, false}), m_curves.vertex({old, true})};
     m_curves.remove(old);
     for (Index u : ends) { tidy_vertex(m_curves, u); }
     double gain = 0;
-    for (Index curve = 0; curve < known; ++curve) { if (m_length[curve] > 0 && !m_curves.is_open(curve)) { gain += m_length[curve]; } }
+    for (Index curve = 0; curve < known; ++curve)
+    {
+      if (m_length[curve] > 0 && !m_curves.is_open(curve)) { gain += m_length[curve]; }
+    }
     for (Index curve = known; curve < m_curves.number_of_curves(); ++curve)
       if (m_curves.is_open(curve))
       {
@@ -342,8 +401,14 @@ private:
       }
     if (!(gain > 1e-9 * old_length)) { return false; }
     trial.keep();
-    for (Index curve = 0; curve < known; ++curve) { if (!m_curves.is_open(curve)) { m_length[curve] = 0; } }
-    for (Index curve = known; curve < m_curves.number_of_curves(); ++curve) { if (m_curves.is_open(curve)) { note(curve); } }
+    for (Index curve = 0; curve < known; ++curve)
+    {
+      if (!m_curves.is_open(curve)) { m_length[curve] = 0; }
+    }
+    for (Index curve = known; curve < m_curves.number_of_curves(); ++curve)
+    {
+      if (m_curves.is_open(curve)) { note(curve); }
+    }
     m_changed_edges.insert(edges.begin(), edges.end());
     m_changed_vertices.insert(vertices.begin(), vertices.end());
     walk();
@@ -353,11 +418,11 @@ private:
   Normal_curves& m_curves;
   const Triangle_surface& m_surface;
   std::vector<Disc_side> m_sides;
-  std::vector<std::array<std::size_t, 2>> m_place;        // of each curve's sides among them
+  std::vector<std::array<std::size_t, 2>> m_place;         // of each curve's sides among them
   std::unordered_map<Index, std::size_t> m_boundary_place; // of pieces of boundary, by the vertex after them
-  std::vector<double> m_length; // of each curve; 0 if it is gone
+  std::vector<double> m_length;                            // of each curve; 0 if it is gone
   std::vector<Root> m_roots;
-  std::set<Index> m_changed_edges, m_changed_vertices; // since the cells were grown
+  std::set<Index> m_changed_edges, m_changed_vertices;  // since the cells were grown
   std::vector<Reached> m_plain;                         // of edges without crossings
   std::unordered_map<std::uint64_t, Reached> m_crowded; // of gaps on the others
   std::uint32_t m_run = 0;

@@ -13,11 +13,17 @@ namespace internal {
 
 using Network_end = Crossing_store::End;
 
-// The star of a vertex where curves end. Spoke `i` is the i-th halfedge that leaves it, counterclockwise; corner `i` lies between
-// spokes `i` and `i + 1`. A curve's end stands on a spoke (at `2 i`) or in a corner (at `2 i + 1`).
+// The star of a vertex where curves end. Spoke `i` is the i-th halfedge that leaves it, counterclockwise; corner `i`
+// lies between spokes `i` and `i + 1`. A curve's end stands on a spoke (at `2 i`) or in a corner (at `2 i + 1`).
 struct Network_star
 {
-  struct Arm { Network_end end; Index at; Index place; double angle; }; // `place` orders the arms of one corner
+  struct Arm
+  {
+    Network_end end;
+    Index at;
+    Index place;
+    double angle;
+  }; // `place` orders the arms of one corner
   std::vector<Index> spokes;
   std::vector<double> angle; // of each spoke, counterclockwise from the first
   double whole = 0;          // the angle of all corners
@@ -35,13 +41,16 @@ inline Network_star make_star(const Normal_curves& curves, Index v)
     star.angle.push_back(star.whole);
     star.whole += corner_angle(s, h);
   });
-  const auto rank = [&](Index h) { return static_cast<Index>(std::find(star.spokes.begin(), star.spokes.end(), h) - star.spokes.begin()); };
+  const auto rank = [&](Index h) {
+    return static_cast<Index>(std::find(star.spokes.begin(), star.spokes.end(), h) - star.spokes.begin());
+  };
   for (const Network_end& e : curves.ends_at(v))
   {
     const Index x = curves.nearest(e);
     if (x < 0)
     {
-      const Index edge = curves.edge_along(e.curve), h = s.source(edge) == v && (s.target(edge) != v) ? edge : s.opposite[edge];
+      const Index edge = curves.edge_along(e.curve),
+                  h = s.source(edge) == v && (s.target(edge) != v) ? edge : s.opposite[edge];
       star.arms.push_back({e, 2 * rank(h), 0, star.angle[rank(h)]});
       continue;
     }
@@ -49,9 +58,11 @@ inline Network_star make_star(const Normal_curves& curves, Index v)
     const Index n = static_cast<Index>(curves.on(s.edge(side)).size());
     const Point to = s.point_on(s.edge(side), curves[x].t) - s.points[v], along = s.points[s.target(h)] - s.points[v];
     const double part = std::atan2(norm(cross(along, to)), dot(along, to));
-    star.arms.push_back({e, 2 * i + 1, s.edge(side) == side ? curves[x].place : n - 1 - curves[x].place, star.angle[i] + part});
+    star.arms.push_back(
+      {e, 2 * i + 1, s.edge(side) == side ? curves[x].place : n - 1 - curves[x].place, star.angle[i] + part});
   }
-  std::sort(star.arms.begin(), star.arms.end(), [](const auto& a, const auto& b) { return std::tie(a.at, a.place) < std::tie(b.at, b.place); });
+  std::sort(star.arms.begin(), star.arms.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.at, a.place) < std::tie(b.at, b.place); });
   return star;
 }
 
@@ -65,13 +76,17 @@ inline std::vector<Index> spokes_between(const Network_star& star, Index from, I
   return between;
 }
 
-// Moves an arm's end from vertex `v` to `to`, which lies at place `at` of the star: from there the curve follows the edge back to `v` and
-// goes round `v` on the right of the edge (seen from `v`), or on its left, to where it ran before.
-inline void drag(Normal_curves& curves, const Network_star& star, Index v, const Network_star::Arm& arm, Index to, Index at, bool on_right)
+// Moves an arm's end from vertex `v` to `to`, which lies at place `at` of the star: from there the curve follows the
+// edge back to `v` and goes round `v` on the right of the edge (seen from `v`), or on its left, to where it ran before.
+inline void drag(Normal_curves& curves, const Network_star& star, Index v, const Network_star::Arm& arm, Index to,
+                 Index at, bool on_right)
 {
   std::vector<Index> way = on_right ? spokes_between(star, arm.at, at) : spokes_between(star, at, arm.at);
   if (on_right) { std::reverse(way.begin(), way.end()); }
-  else { for (Index& h : way) { h = curves.surface().opposite[h]; } }
+  else
+  {
+    for (Index& h : way) { h = curves.surface().opposite[h]; }
+  }
   curves.extend(arm.end, to, way, v);
 }
 
@@ -108,11 +123,16 @@ inline void tighten_around(Normal_curves& curves, std::initializer_list<Index> v
   for (Index c : all) { tighten_curve(curves, c, options); }
 }
 
-// A way to move a vertex of the network, or two arms of it, along an edge. Where three arms meet, all move; where more do, the two on both sides of the
-// edge, and a new curve along the edge joins them to the others.
-struct Vertex_move { double slope; Index to, at; };
+// A way to move a vertex of the network, or two arms of it, along an edge. Where three arms meet, all move; where more
+// do, the two on both sides of the edge, and a new curve along the edge joins them to the others.
+struct Vertex_move
+{
+  double slope;
+  Index to, at;
+};
 
-// The moves that promise to make the network shorter, the best first. On the boundary of the surface the outer arm slides along it.
+// The moves that promise to make the network shorter, the best first. On the boundary of the surface the outer arm
+// slides along it.
 inline std::vector<Vertex_move> find_vertex_moves(const Normal_curves& curves, const Network_star& star)
 {
   const Triangle_surface& s = curves.surface();
@@ -137,7 +157,10 @@ inline std::vector<Vertex_move> find_vertex_moves(const Normal_curves& curves, c
     const auto after = std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& a) { return a.at > at; });
     if (!star.is_closed && (after == star.arms.begin() || after == star.arms.end())) { continue; }
     double slope = n == 3 && star.is_closed ? 0 : 1;
-    if (n == 3 && star.is_closed) { for (const auto& arm : star.arms) { slope -= cosine(arm, star.angle[i]); } }
+    if (n == 3 && star.is_closed)
+    {
+      for (const auto& arm : star.arms) { slope -= cosine(arm, star.angle[i]); }
+    }
     else
     {
       const auto& left = after == star.arms.end() ? star.arms.front() : *after;
@@ -149,10 +172,15 @@ inline std::vector<Vertex_move> find_vertex_moves(const Normal_curves& curves, c
   if (!star.is_closed)
   {
     const Index h = s.prev(star.spokes.back()), v = s.source(h); // the boundary edge that comes in
-    if (is_open_to(v)) { moves.push_back({-cosine(star.arms.back(), star.whole), v, static_cast<Index>(2 * star.spokes.size())}); }
+    if (is_open_to(v))
+    {
+      moves.push_back({-cosine(star.arms.back(), star.whole), v, static_cast<Index>(2 * star.spokes.size())});
+    }
   }
-  moves.erase(std::remove_if(moves.begin(), moves.end(), [](const Vertex_move& m) { return !(m.slope < -1e-3); }), moves.end());
-  std::stable_sort(moves.begin(), moves.end(), [](const Vertex_move& a, const Vertex_move& b) { return a.slope < b.slope; });
+  moves.erase(std::remove_if(moves.begin(), moves.end(), [](const Vertex_move& m) { return !(m.slope < -1e-3); }),
+              moves.end());
+  std::stable_sort(moves.begin(), moves.end(),
+                   [](const Vertex_move& a, const Vertex_move& b) { return a.slope < b.slope; });
   return moves;
 }
 
@@ -166,7 +194,8 @@ inline void apply(Normal_curves& curves, const Network_star& star, Index v, cons
     return;
   }
   const std::size_t n = arms.size();
-  const std::size_t after = std::find_if(arms.begin(), arms.end(), [&](const auto& a) { return a.at > move.at; }) - arms.begin();
+  const std::size_t after =
+    std::find_if(arms.begin(), arms.end(), [&](const auto& a) { return a.at > move.at; }) - arms.begin();
   const auto &left = arms[after % n], &right = arms[(after + n - 1) % n];
   drag(curves, star, v, right, move.to, move.at, true);
   drag(curves, star, v, left, move.to, move.at, false);
@@ -199,7 +228,8 @@ inline void contract(Normal_curves& curves, Index curve, bool to_last)
 {
   const Index v = curves.vertex({curve, !to_last}), to = curves.vertex({curve, to_last});
   Network_star star = make_star(curves, v);
-  const auto own = std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& a) { return a.end.curve == curve; });
+  const auto own =
+    std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& a) { return a.end.curve == curve; });
   const Index at = own->at;
   std::rotate(star.arms.begin(), own, star.arms.end());
   curves.remove(curve);
@@ -208,8 +238,8 @@ inline void contract(Normal_curves& curves, Index curve, bool to_last)
   for (std::size_t i = n - 1; i > half; --i) { drag(curves, star, v, star.arms[i], to, at, true); }
 }
 
-// Where two vertices are joined by one edge, draws them together and parts them the other way. Returns whether that makes the network
-// shorter.
+// Where two vertices are joined by one edge, draws them together and parts them the other way. Returns whether that
+// makes the network shorter.
 inline bool exchange_neighbors(Normal_curves& curves, Index curve, const Tighten_options& options)
 {
   const Triangle_surface& s = curves.surface();

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_CUT_INTERNAL_PLANAR_SEGMENTS_H
 #define MERIDIAN_CUT_INTERNAL_PLANAR_SEGMENTS_H
 
-#include <meridian/map/embed_in_plane.h>
 #include <meridian/curves/place_crossings.h>
+#include <meridian/map/embed_in_plane.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_rational.h>
@@ -16,20 +16,29 @@
 namespace meridian {
 namespace internal {
 
-struct Planar_segment { Index from, to; }; // vertices of the opened surface
+struct Planar_segment
+{
+  Index from, to;
+}; // vertices of the opened surface
 
 // The minimum spanning tree of the loops among the edges of a constrained Delaunay triangulation of their vertices; a
 // vertex that is a loop of its own is a point of it.
 inline std::vector<Planar_segment> spanning_segments(const Triangle_surface& o, const Planar_embedding& plane,
-                                                     const std::vector<std::vector<Index>>& loops, const std::vector<Index>& loop_of, Index number_of_loops)
+                                                     const std::vector<std::vector<Index>>& loops,
+                                                     const std::vector<Index>& loop_of, Index number_of_loops)
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-  using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-  using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+  using Structure =
+    CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+  using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
   std::vector<std::pair<Planar_embedding::Point_2, Index>> points;
-  for (Index v = 0; v < o.number_of_vertices(); ++v) { if (loop_of[v] >= 0) { points.emplace_back(plane.points[v], v); } }
+  for (Index v = 0; v < o.number_of_vertices(); ++v)
+  {
+    if (loop_of[v] >= 0) { points.emplace_back(plane.points[v], v); }
+  }
   Triangulation t;
   t.insert(points.begin(), points.end());
   if (t.number_of_vertices() != points.size()) { return {}; }
@@ -38,7 +47,11 @@ inline std::vector<Planar_segment> spanning_segments(const Triangle_surface& o, 
   for (const auto& loop : loops)
     for (Index h : loop) { t.insert_constraint(handle.at(o.source(h)), handle.at(o.target(h))); }
 
-  struct Candidate { double length; Index from, to; };
+  struct Candidate
+  {
+    double length;
+    Index from, to;
+  };
   std::vector<Candidate> candidates;
   for (const auto& edge : t.finite_edges())
   {
@@ -64,11 +77,16 @@ inline std::vector<Planar_segment> spanning_segments(const Triangle_surface& o, 
 }
 
 // What a segment meets on its way: vertices and halfedges of the opened surface. Empty if it leaves the domain.
-struct Planar_walk { std::vector<Curve_point> points; };
+struct Planar_walk
+{
+  std::vector<Curve_point> points;
+};
 
 inline Planar_walk walk(const Triangle_surface& o, const Planar_embedding& plane, const Planar_segment& segment)
 {
-  const auto side = [&](Index a, Index b, Index c) { return CGAL::orientation(plane.points[a], plane.points[b], plane.points[c]); };
+  const auto side = [&](Index a, Index b, Index c) {
+    return CGAL::orientation(plane.points[a], plane.points[b], plane.points[c]);
+  };
   Planar_walk w;
   Index at = segment.from;
   w.points.push_back(Curve_point::on_vertex(at));
@@ -82,7 +100,11 @@ inline Planar_walk walk(const Triangle_surface& o, const Planar_embedding& plane
       const auto left_of_a = side(at, a, segment.to), left_of_b = side(at, b, segment.to);
       if (left_of_a == CGAL::LEFT_TURN && left_of_b == CGAL::RIGHT_TURN) { h = o.next(g); }
       for (const auto& [v, turn] : {std::pair(a, left_of_a), std::pair(b, left_of_b)})
-        if (turn == CGAL::COLLINEAR && CGAL::collinear_are_ordered_along_line(plane.points[at], plane.points[v], plane.points[segment.to])) { along = v; }
+        if (turn == CGAL::COLLINEAR
+            && CGAL::collinear_are_ordered_along_line(plane.points[at], plane.points[v], plane.points[segment.to]))
+        {
+          along = v;
+        }
     });
     while (along < 0)
     {
@@ -100,17 +122,25 @@ inline Planar_walk walk(const Triangle_surface& o, const Planar_embedding& plane
 }
 
 // The walks as curves on the slit surface `s`, with fractions that keep their order on every edge.
-inline std::vector<Surface_curve> place_walks(const Triangle_surface& s, const Triangle_surface& o, const Planar_embedding& plane,
-                                              const std::vector<Planar_segment>& segments, const std::vector<Planar_walk>& walks,
-                                              const std::vector<Index>& copy_of, const std::vector<Index>& loop_of)
+inline std::vector<Surface_curve> place_walks(const Triangle_surface& s, const Triangle_surface& o,
+                                              const Planar_embedding& plane,
+                                              const std::vector<Planar_segment>& segments,
+                                              const std::vector<Planar_walk>& walks, const std::vector<Index>& copy_of,
+                                              const std::vector<Index>& loop_of)
 {
   using Rational = CGAL::Exact_rational;
   const auto original = [&](Index v) { return v < s.number_of_vertices() ? v : copy_of[v - s.number_of_vertices()]; };
   std::vector<char> is_used(s.number_of_vertices(), 0);
-  for (Index v = 0; v < o.number_of_vertices(); ++v) { if (loop_of[v] >= 0) { is_used[original(v)] = 1; } }
+  for (Index v = 0; v < o.number_of_vertices(); ++v)
+  {
+    if (loop_of[v] >= 0) { is_used[original(v)] = 1; }
+  }
 
   // Stretches of crossings between vertices; one walk may have several.
-  struct Stretch { std::size_t walk, first; };
+  struct Stretch
+  {
+    std::size_t walk, first;
+  };
   std::vector<std::vector<Crossing>> crossings;
   std::vector<Stretch> stretches;
   for (std::size_t i = 0; i < walks.size(); ++i)
@@ -146,7 +176,9 @@ inline std::vector<Surface_curve> place_walks(const Triangle_surface& s, const T
     for (std::size_t k = 0; k < places.size(); ++k)
     {
       const Planar_segment& segment = segments[stretches[places[k].first].walk];
-      const auto exact = [&](Index v) { return std::pair(Rational(plane.points[v].x()), Rational(plane.points[v].y())); };
+      const auto exact = [&](Index v) {
+        return std::pair(Rational(plane.points[v].x()), Rational(plane.points[v].y()));
+      };
       const auto a = exact(segment.from), b = exact(segment.to), x = exact(o.source(e)), y = exact(o.target(e));
       const Rational p = (b.first - a.first) * (x.second - a.second) - (b.second - a.second) * (x.first - a.first);
       const Rational q = (b.first - a.first) * (y.second - a.second) - (b.second - a.second) * (y.first - a.first);

@@ -12,14 +12,20 @@ namespace meridian {
 namespace internal {
 
 // Where two cells of the Voronoi diagram touch: across a halfedge, or along one that joins the two boundaries.
-struct Contact { Index from, to, halfedge; bool along; };
+struct Contact
+{
+  Index from, to, halfedge;
+  bool along;
+};
 
 // Shortest strips of faces between the boundaries of a slit surface. The distance of a face is measured to the middle
 // of the edge by which it was entered.
 class Sleeve_search
 {
 public:
-  explicit Sleeve_search(Slit_surface& slit) : m_slit(slit), m_cell(slit.surface().number_of_faces(), -1), m_known_parents(slit.parents.size()) {}
+  explicit Sleeve_search(Slit_surface& slit)
+    : m_slit(slit), m_cell(slit.surface().number_of_faces(), -1), m_known_parents(slit.parents.size())
+  {}
 
   // The pairs of a minimum spanning tree of the boundaries, nearest first. The search ends when the tree is whole.
   std::vector<Contact> find_spanning_contacts()
@@ -31,9 +37,17 @@ public:
     m_known_parents = m_slit.parents.size();
     std::vector<Index> joined(m_slit.number_of_loops());
     std::iota(joined.begin(), joined.end(), Index(0));
-    const auto find = [&](Index a) { while (joined[a] != a) { a = joined[a] = joined[joined[a]]; } return a; };
+    const auto find = [&](Index a) {
+      while (joined[a] != a) { a = joined[a] = joined[joined[a]]; }
+      return a;
+    };
 
-    struct Event { double key; Index face, halfedge; bool along; };
+    struct Event
+    {
+      double key;
+      Index face, halfedge;
+      bool along;
+    };
     const auto later = [](const Event& x, const Event& y) {
       return std::tie(x.key, x.face, x.halfedge) > std::tie(y.key, y.face, y.halfedge);
     };
@@ -50,7 +64,10 @@ public:
         for (const Index k : {h, s.prev(h)}) // an edge from this boundary to another
         {
           const Index end = k == h ? g : k;
-          if (m_slit.may_cross(k) && m_slit.loop(end) >= 0 && m_slit.loop(end) != loop) { queue.push({s.length(k) / 2, -1, k, true}); }
+          if (m_slit.may_cross(k) && m_slit.loop(end) >= 0 && m_slit.loop(end) != loop)
+          {
+            queue.push({s.length(k) / 2, -1, k, true});
+          }
         }
       });
     std::vector<Contact> tree;
@@ -91,7 +108,10 @@ public:
         }
       }
     }
-    for (Index f = 0; f < faces; ++f) { if (!done[f]) { m_cell[f] = -1; } }
+    for (Index f = 0; f < faces; ++f)
+    {
+      if (!done[f]) { m_cell[f] = -1; }
+    }
     return tree;
   }
 
@@ -112,7 +132,10 @@ public:
     const auto& changed = m_slit.was_changed();
     const auto is_changed = [&](Index f) { return f < static_cast<Index>(changed.size()) && changed[f]; };
     Index f = s.face(c.halfedge);
-    for (; !is_changed(f) && !m_reached[f].is_seed; f = s.face(m_reached[f].by)) { sleeve.halfedges.push_back(m_reached[f].by); }
+    for (; !is_changed(f) && !m_reached[f].is_seed; f = s.face(m_reached[f].by))
+    {
+      sleeve.halfedges.push_back(m_reached[f].by);
+    }
     if (is_changed(f)) { return false; }
     sleeve.start = s.source(m_reached[f].by);
     std::reverse(sleeve.halfedges.begin(), sleeve.halfedges.end());
@@ -123,22 +146,31 @@ public:
     if (is_changed(f)) { return false; }
     sleeve.end = s.source(m_reached[f].by);
     trim(s, sleeve);
-    for (Index h : sleeve.halfedges) { if (!m_slit.may_cross(h)) { return false; } } // a link may run along an edge
+    for (Index h : sleeve.halfedges)
+    {
+      if (!m_slit.may_cross(h)) { return false; }
+    } // a link may run along an edge
     return is_usable(sleeve);
   }
 
   // The shortest strip from boundary `from` through its cell and that of `to`, to any boundary not yet joined to it.
   bool near(Index from, Index to, Sleeve& sleeve) const
-  { return search(from, sleeve, [&](Index f) { return m_cell[f] == from || m_cell[f] == to; }); }
+  {
+    return search(from, sleeve, [&](Index f) { return m_cell[f] == from || m_cell[f] == to; });
+  }
 
   // The same through the whole surface. It fails only if everything is joined.
   bool anywhere(Index from, Sleeve& sleeve) const
-  { return search(from, sleeve, [](Index) { return true; }); }
+  {
+    return search(from, sleeve, [](Index) { return true; });
+  }
 
   // The shortest strip from boundary `from` to boundary `to` through parts of the given faces of the root.
   bool along_faces(Index from, Index to, const std::vector<Index>& faces, Sleeve& sleeve) const
   {
-    const auto is_allowed = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), m_slit.surface().face_of[f]); };
+    const auto is_allowed = [&](Index f) {
+      return std::binary_search(faces.begin(), faces.end(), m_slit.surface().face_of[f]);
+    };
     return search(from, sleeve, is_allowed, to);
   }
 
@@ -155,14 +187,16 @@ private:
   {
     double distance = std::numeric_limits<double>::infinity();
     Point entry{0, 0, 0};
-    Index by = -1;        // the halfedge by which the face before was left; for a seed, that of its corner
+    Index by = -1; // the halfedge by which the face before was left; for a seed, that of its corner
     bool is_seed = false;
   };
 
   template <class Function> void for_each_corner(Index loop, Function f) const
   {
     for (Index v : m_slit.vertices(loop))
-      m_slit.surface().for_each_outgoing(v, [&](Index h) { if (m_slit.loop(h) == loop) { f(h); } });
+      m_slit.surface().for_each_outgoing(v, [&](Index h) {
+        if (m_slit.loop(h) == loop) { f(h); }
+      });
   }
 
   // A strip that was trimmed to nothing must leave an edge that can be cut.
@@ -175,12 +209,15 @@ private:
     return h >= 0 && m_slit.may_cross(h);
   }
 
-  template <class Is_allowed>
-  bool search(Index from, Sleeve& sleeve, const Is_allowed& is_allowed, Index to = -1) const
+  template <class Is_allowed> bool search(Index from, Sleeve& sleeve, const Is_allowed& is_allowed, Index to = -1) const
   {
     const Refined_surface& s = m_slit.surface();
     std::map<Index, Reached> reached;
-    struct Event { double key; Index face, corner; };
+    struct Event
+    {
+      double key;
+      Index face, corner;
+    };
     const auto later = [](const Event& x, const Event& y) {
       return std::tie(x.key, x.face, x.corner) > std::tie(y.key, y.face, y.corner);
     };
@@ -215,7 +252,8 @@ private:
       const Reached r = reached[e.face];
       for (Index h = 3 * e.face; h < 3 * e.face + 3; ++h)
       {
-        if (m_slit.loop(h) >= 0 && (to >= 0 ? m_slit.are_joined(m_slit.loop(h), to) : !m_slit.are_joined(m_slit.loop(h), from)))
+        if (m_slit.loop(h) >= 0
+            && (to >= 0 ? m_slit.are_joined(m_slit.loop(h), to) : !m_slit.are_joined(m_slit.loop(h), from)))
           queue.push({r.distance + distance(r.entry, s.points[s.source(h)]), e.face, h});
         if (!m_slit.may_cross(h)) { continue; }
         const Index g = s.face(s.opposite[h]);

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_CUT_INTERNAL_SLIT_SURFACE_H
 #define MERIDIAN_CUT_INTERNAL_SLIT_SURFACE_H
 
-#include <meridian/surface/insert_curves.h>
 #include <meridian/curves/sleeve.h>
+#include <meridian/surface/insert_curves.h>
 
 #include <boost/pending/disjoint_sets.hpp>
 
@@ -16,7 +16,8 @@ class Slit_surface
 {
 public:
   Slit_surface(const Triangle_surface& root, Refined_surface& s, bool bifurcations)
-    : m_root(root), m_surface(s), m_bifurcations(bifurcations), m_loop(s.number_of_halfedges(), -1), m_is_used(s.number_of_vertices(), 0)
+    : m_root(root), m_surface(s), m_bifurcations(bifurcations), m_loop(s.number_of_halfedges(), -1),
+      m_is_used(s.number_of_vertices(), 0)
   {
     std::vector<char> is_done(s.number_of_halfedges(), 0);
     for (Index first = 0; first < s.number_of_halfedges(); ++first)
@@ -97,8 +98,7 @@ private:
   {
     m_vertices[loop].push_back(m_surface.source(h));
     m_is_used[m_surface.source(h)] = 1;
-    do
-    {
+    do {
       m_loop[h] = loop;
       h = m_surface.turn_left(h);
     } while (h >= 0 && !m_surface.seam[h]);
@@ -119,7 +119,10 @@ private:
   // Inserts a curve and keeps the labels of the corners that this moves to other faces. Returns its vertices.
   std::vector<Index> refine(const Surface_curve& curve, bool mark_seam)
   {
-    struct Corner { Index face, vertex, loop; };
+    struct Corner
+    {
+      Index face, vertex, loop;
+    };
     std::vector<Corner> corners;
     const auto remember = [&](Index f) {
       for (Index h = 3 * f; h < 3 * f + 3; ++h) { corners.push_back({f, m_surface.source(h), m_loop[h]}); }
@@ -130,7 +133,9 @@ private:
         remember(m_surface.face(p.halfedge));
         remember(m_surface.face(m_surface.opposite[p.halfedge]));
       }
-    const auto order = [](const Corner& x, const Corner& y) { return std::tie(x.face, x.vertex) < std::tie(y.face, y.vertex); };
+    const auto order = [](const Corner& x, const Corner& y) {
+      return std::tie(x.face, x.vertex) < std::tie(y.face, y.vertex);
+    };
     std::sort(corners.begin(), corners.end(), order);
 
     const Insertion done = insert_curves(m_root, m_surface, {curve}, mark_seam);
@@ -147,18 +152,21 @@ private:
       }
     };
     for (const Corner& c : corners) { relabel(c.face, c.face); }
-    for (std::size_t i = 0; i < done.parent.size(); ++i) { relabel(done.first_new_face + static_cast<Index>(i), done.parent[i]); }
+    for (std::size_t i = 0; i < done.parent.size(); ++i)
+    {
+      relabel(done.first_new_face + static_cast<Index>(i), done.parent[i]);
+    }
     return done.vertices.front();
   }
 
   const Triangle_surface& m_root;
   Refined_surface& m_surface;
   bool m_bifurcations;
-  std::vector<Index> m_loop;                 // of each corner
-  std::vector<char> m_is_used;               // of each vertex: on a boundary, a seam or a link
+  std::vector<Index> m_loop;   // of each corner
+  std::vector<char> m_is_used; // of each vertex: on a boundary, a seam or a link
   std::vector<char> m_was_changed;
   std::vector<std::vector<Index>> m_vertices; // of each boundary
-  std::vector<Index> m_joined;               // union-find of boundaries
+  std::vector<Index> m_joined;                // union-find of boundaries
 };
 
 } // namespace internal

@@ -13,21 +13,25 @@ namespace internal {
 
 // Makes the paths of a cut graph of edges shorter, one after the other.
 //
-// The nodes of a cut graph are its vertices of another degree than 2 and those on the boundary; its paths run between them. Without
-// one path the rest slits the surface to an annulus: a disc with two stretches of its rim glued, neither next to the other. So the
-// path runs from one boundary of the annulus to the other; and cutting an annulus along any simple path that does so, and else
-// touches neither, leaves a disc. One vertex may lie on the boundaries several times: each of its sectors between seams is a place
-// of its own, so both ends of a path are told by corners, not by vertices.
+// The nodes of a cut graph are its vertices of another degree than 2 and those on the boundary; its paths run between
+// them. Without one path the rest slits the surface to an annulus: a disc with two stretches of its rim glued, neither
+// next to the other. So the path runs from one boundary of the annulus to the other; and cutting an annulus along any
+// simple path that does so, and else touches neither, leaves a disc. One vertex may lie on the boundaries several
+// times: each of its sectors between seams is a place of its own, so both ends of a path are told by corners, not by
+// vertices.
 class Path_straightener
 {
 public:
-  // `is_cut`: for each halfedge, equal on twins. `slide`: whether a path may end elsewhere on its boundary than at its node. `is_open(v)`
-  // tells whether a path may go through a vertex.
-  Path_straightener(const Triangle_surface& s, std::vector<char>& is_cut, bool slide, std::function<bool(Index)> is_open)
-    : m_surface(s), m_is_cut(is_cut), m_slide(slide), m_is_open(std::move(is_open)), m_degree(s.number_of_vertices(), 0),
-      m_mark(s.number_of_halfedges(), 0), m_reached(s.number_of_vertices(), 0), m_distance(s.number_of_vertices(), 0),
-      m_by(s.number_of_vertices(), -1)
-  { for (Index h = 0; h < s.number_of_halfedges(); ++h) { m_degree[s.source(h)] += is_cut[h]; } }
+  // `is_cut`: for each halfedge, equal on twins. `slide`: whether a path may end elsewhere on its boundary than at its
+  // node. `is_open(v)` tells whether a path may go through a vertex.
+  Path_straightener(const Triangle_surface& s, std::vector<char>& is_cut, bool slide,
+                    std::function<bool(Index)> is_open)
+    : m_surface(s), m_is_cut(is_cut), m_slide(slide), m_is_open(std::move(is_open)),
+      m_degree(s.number_of_vertices(), 0), m_mark(s.number_of_halfedges(), 0), m_reached(s.number_of_vertices(), 0),
+      m_distance(s.number_of_vertices(), 0), m_by(s.number_of_vertices(), -1)
+  {
+    for (Index h = 0; h < s.number_of_halfedges(); ++h) { m_degree[s.source(h)] += is_cut[h]; }
+  }
 
   // Tries every path once. Returns whether one got shorter.
   bool straighten_all()
@@ -41,7 +45,10 @@ public:
       for (Index g : path_through(h)) { seen[g] = seen[m_surface.opposite[g]] = 1; }
     }
     bool is_shorter = false;
-    for (Index h : firsts) { if (m_is_cut[h]) { is_shorter = straighten(path_through(h)) || is_shorter; } }
+    for (Index h : firsts)
+    {
+      if (m_is_cut[h]) { is_shorter = straighten(path_through(h)) || is_shorter; }
+    }
     return is_shorter;
   }
 
@@ -58,7 +65,9 @@ private:
     const Index v = m_surface.target(h);
     if (m_degree[v] != 2 || m_surface.is_boundary_vertex(v)) { return -1; }
     Index next = -1;
-    m_surface.for_each_outgoing(v, [&](Index g) { if (m_is_cut[g] && g != m_surface.opposite[h]) { next = g; } });
+    m_surface.for_each_outgoing(v, [&](Index g) {
+      if (m_is_cut[g] && g != m_surface.opposite[h]) { next = g; }
+    });
     return next;
   }
 
@@ -68,7 +77,11 @@ private:
     for (Index g = continued(first); g >= 0; g = continued(g))
     {
       first = g;
-      if (g == m_surface.opposite[h]) { throw Invalid_input_error("straighten_edge_cut: a closed loop of the cut has no node; the edges are no cut graph"); }
+      if (g == m_surface.opposite[h])
+      {
+        throw Invalid_input_error(
+          "straighten_edge_cut: a closed loop of the cut has no node; the edges are no cut graph");
+      }
     }
     Path path;
     for (Index g = m_surface.opposite[first]; g >= 0; g = continued(g)) { path.push_back(g); }
@@ -87,7 +100,8 @@ private:
   // A walk round one boundary of the slit surface.
   struct Walk
   {
-    Index first, mark, at = -1;   // the halfedge that the walk began with, what its corners are marked with, the halfedge it is at
+    // the halfedge that the walk began with, what its corners are marked with, the halfedge it is at
+    Index first, mark, at = -1;
     std::vector<Index> inwards{}; // halfedges from the boundary into the surface
     bool is_closed() const { return at == first; }
   };
@@ -103,8 +117,7 @@ private:
   {
     Index h = walk.at < 0 ? walk.first : walk.at;
     Index g = h;
-    do
-    {
+    do {
       m_mark[g] = walk.mark;
       if (g != h) { walk.inwards.push_back(g); }
       g = m_surface.turn_left(g);
@@ -114,8 +127,8 @@ private:
     walk.at = h;
   }
 
-  // Marks the corners of the boundary at the source of `h`, or of that at the source of `g`, whichever is shorter. Returns the halfedges
-  // that leave it into the surface.
+  // Marks the corners of the boundary at the source of `h`, or of that at the source of `g`, whichever is shorter.
+  // Returns the halfedges that leave it into the surface.
   std::vector<Index> mark_boundary(Index h, Index g)
   {
     Walk a = begin_walk(h), b = begin_walk(g);
@@ -131,8 +144,8 @@ private:
     return std::move(shorter.inwards);
   }
 
-  // The shortest path that begins with one of some halfedges, goes through free vertices and ends with a halfedge into a used vertex
-  // that `is_end` accepts, if it is shorter than `limit`.
+  // The shortest path that begins with one of some halfedges, goes through free vertices and ends with a halfedge into
+  // a used vertex that `is_end` accepts, if it is shorter than `limit`.
   template <class Is_end> Path search(const std::vector<Index>& starts, double limit, const Is_end& is_end)
   {
     using Entry = std::pair<double, Index>; // of the halfedge that is taken last
@@ -194,13 +207,20 @@ private:
 
     constexpr double less = 1 - 1e-12; // rounding must not keep the rounds going
     Path best = path;
-    const auto improve = [&](const Path& other) { if (!other.empty()) { best = other; } };
-    if (m_slide) { improve(search(inwards, length(path) * less, [&](Index h) { return !is_near(m_surface.opposite[h]); })); }
+    const auto improve = [&](const Path& other) {
+      if (!other.empty()) { best = other; }
+    };
+    if (m_slide)
+    {
+      improve(search(inwards, length(path) * less, [&](Index h) { return !is_near(m_surface.opposite[h]); }));
+    }
     else
       for (bool near : {true, false}) // whether `from` is left on the boundary marked; its sectors may lie on both
       {
         std::vector<Index> starts;
-        m_surface.for_each_outgoing(from, [&](Index h) { if (!is_wall(h) && is_near(h) == near) { starts.push_back(h); } });
+        m_surface.for_each_outgoing(from, [&](Index h) {
+          if (!is_wall(h) && is_near(h) == near) { starts.push_back(h); }
+        });
         improve(search(starts, length(best) * less,
                        [&](Index h) { return m_surface.target(h) == to && is_near(m_surface.opposite[h]) != near; }));
       }
@@ -212,13 +232,13 @@ private:
   std::vector<char>& m_is_cut;
   bool m_slide;
   std::function<bool(Index)> m_is_open;
-  std::vector<Index> m_degree;     // of each vertex in the cut graph
-  std::vector<Index> m_mark;       // of each corner, the last walk that came by
-  Index m_marks = 0, m_near = 0;   // the number of walks, and the one round the boundary in question
-  Index m_search = 0;              // the number of searches
-  std::vector<Index> m_reached;    // of each vertex, the last search that came there,
-  std::vector<double> m_distance;  // its distance then,
-  std::vector<Index> m_by;         // and the halfedge by which it was reached
+  std::vector<Index> m_degree;    // of each vertex in the cut graph
+  std::vector<Index> m_mark;      // of each corner, the last walk that came by
+  Index m_marks = 0, m_near = 0;  // the number of walks, and the one round the boundary in question
+  Index m_search = 0;             // the number of searches
+  std::vector<Index> m_reached;   // of each vertex, the last search that came there,
+  std::vector<double> m_distance; // its distance then,
+  std::vector<Index> m_by;        // and the halfedge by which it was reached
 };
 
 } // namespace internal

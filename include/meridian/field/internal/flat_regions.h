@@ -37,8 +37,8 @@ inline Index characteristic_around(const Triangle_surface& s, const Closed_model
 }
 
 // Solves again, in a scale of its own, wherever the field is flat to rounding and the flat region is not a disc.
-// Values of a region lie in [-1, 1]; a node is flat if no neighbour differs by more than `flat`. Neighbours are those of the
-// system, which may join the nodes by other edges than the surface does.
+// Values of a region lie in [-1, 1]; a node is flat if no neighbour differs by more than `flat`. Neighbours are those
+// of the system, which may join the nodes by other edges than the surface does.
 template <class System>
 void solve_flat_regions(const Triangle_surface& s, const Closed_model& g, System& system, std::vector<Index> nodes,
                         Scalar_field& field)
@@ -93,7 +93,8 @@ void solve_flat_regions(const Triangle_surface& s, const Closed_model& g, System
       const Index index = static_cast<Index>(field.regions.size());
       field.regions.push_back(r);
       if (field.region.empty()) { field.region.assign(g.number_of_nodes, 0); }
-      system.solve(part, [&](Index a) { return field.value_in(index, a); }, field.value);
+      system.solve(
+        part, [&](Index a) { return field.value_in(index, a); }, field.value);
       for (Index a : part) { field.region[a] = index; }
       open.emplace_back(index, std::move(part));
     }

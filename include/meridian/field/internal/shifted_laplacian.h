@@ -20,11 +20,10 @@ inline void bound_areas(std::vector<double>& areas, double sum)
 }
 
 // The inverse of M^(-1/2) L M^(-1/2) + shift, on the complement of the constant function and of what was excluded. The
-// matrix operation of Spectra's symmetric solvers. Weights and masses are divided by the median diagonal of L and the sum
-// of the masses: so the lowest eigenvalue of a round surface is about 10 (4 pi^2 on a flat torus of squares with
+// matrix operation of Spectra's symmetric solvers. Weights and masses are divided by the median diagonal of L and the
+// sum of the masses: so the lowest eigenvalue of a round surface is about 10 (4 pi^2 on a flat torus of squares with
 // weights 1), and the shift lies well below it.
-template <class SolverTraits>
-class Shifted_laplacian
+template <class SolverTraits> class Shifted_laplacian
 {
 public:
   using Scalar = double;
@@ -37,14 +36,18 @@ public:
     std::vector<double> diagonal(n, 0);
     for (Index a = 0; a < n; ++a)
     {
-      for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i) { if (g.neighbor[i] != a) { diagonal[a] += weights[g.halfedge[i]]; } }
+      for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
+      {
+        if (g.neighbor[i] != a) { diagonal[a] += weights[g.halfedge[i]]; }
+      }
       m_total_mass += mass[a];
     }
     std::vector<double> sorted = diagonal;
     std::nth_element(sorted.begin(), sorted.begin() + n / 2, sorted.end());
     const double unit = sorted[n / 2];
     if (!(unit > 0) || !std::isfinite(unit) || !(m_total_mass > 0) || !std::isfinite(m_total_mass))
-      throw Solver_error("the weights of the Laplacian are not positive or the masses are not; the symmetric positive weights are the safest");
+      throw Solver_error("the weights of the Laplacian are not positive or the masses are not; the symmetric positive "
+                         "weights are the safest");
 
     typename SolverTraits::Matrix a(n);
     for (Index row = 0; row < n; ++row)
@@ -56,7 +59,8 @@ public:
       a.set_coef(row, row, diagonal[row] / unit + shift * m, true);
     }
     if (!m_solver.factor(a, m_denominator))
-      throw Solver_error("the Laplacian of " + std::to_string(n) + " nodes cannot be factorized; the symmetric positive weights are the safest");
+      throw Solver_error("the Laplacian of " + std::to_string(n)
+                         + " nodes cannot be factorized; the symmetric positive weights are the safest");
     m_excluded.push_back(m_root.normalized());
   }
 
@@ -77,8 +81,8 @@ public:
   // Lets the operation work on the complement of a unit vector.
   void exclude(const Eigen::VectorXd& y) { m_excluded.push_back(y); }
 
-  // The function on the nodes that belongs to a vector, up to its length. It is solved for once more rather than divided by
-  // roots of masses, which may be tiny.
+  // The function on the nodes that belongs to a vector, up to its length. It is solved for once more rather than
+  // divided by roots of masses, which may be tiny.
   std::vector<double> function_of(const Eigen::VectorXd& y) const
   {
     const Eigen::VectorXd x = solve(m_root.cwiseProduct(y));
@@ -86,7 +90,10 @@ public:
   }
 
 private:
-  void project(Eigen::Map<Eigen::VectorXd>& y) const { for (const auto& x : m_excluded) { y -= x.dot(y) * x; } }
+  void project(Eigen::Map<Eigen::VectorXd>& y) const
+  {
+    for (const auto& x : m_excluded) { y -= x.dot(y) * x; }
+  }
 
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const
   {
@@ -98,7 +105,11 @@ private:
       x[i] = m_solution[i] / m_denominator;
       is_solved = std::isfinite(x[i]);
     }
-    if (!is_solved) { throw Solver_error("the solution with the shifted Laplacian is not finite; the symmetric positive weights are the safest"); }
+    if (!is_solved)
+    {
+      throw Solver_error(
+        "the solution with the shifted Laplacian is not finite; the symmetric positive weights are the safest");
+    }
     return x;
   }
 

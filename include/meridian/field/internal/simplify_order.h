@@ -16,7 +16,10 @@ class Bit_queue
 public:
   explicit Bit_queue(std::size_t n)
   {
-    do { n = (n + 63) / 64; m_levels.emplace_back(n, 0); } while (n > 1);
+    do {
+      n = (n + 63) / 64;
+      m_levels.emplace_back(n, 0);
+    } while (n > 1);
   }
   bool empty() const { return m_levels.back()[0] == 0; }
   void push(std::size_t i)
@@ -45,7 +48,8 @@ private:
   std::vector<std::vector<std::uint64_t>> m_levels;
 };
 
-inline bool has_other_extrema(const Closed_model& g, const std::vector<Index>& rank, const std::vector<char>& allowed, bool low)
+inline bool has_other_extrema(const Closed_model& g, const std::vector<Index>& rank, const std::vector<char>& allowed,
+                              bool low)
 {
   for (Index a = 0; a < g.number_of_nodes; ++a)
   {
@@ -90,7 +94,8 @@ inline std::vector<Index> sweep(const Closed_model& g, const std::vector<Index>&
 // An st-numbering (Tarjan 1986, "Two streamlined depth-first search algorithms"): every node but the minima has a
 // lower neighbour, every node but the maxima a higher one. A source joined to all minima, a sink joined to all maxima
 // and an edge from source to sink are added for the search, and left out of the result.
-inline std::vector<Index> st_numbering(const Closed_model& g, const std::vector<Index>& minima, const std::vector<Index>& maxima)
+inline std::vector<Index> st_numbering(const Closed_model& g, const std::vector<Index>& minima,
+                                       const std::vector<Index>& maxima)
 {
   const Index n = g.number_of_nodes, s = n, t = n + 1;
   const auto degree = [&](Index a) {

@@ -12,7 +12,10 @@ namespace internal {
 // Contours as every second curve of a system (or every `stride`-th), in the order that the levels give them.
 inline void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& curves, std::size_t stride = 2)
 {
-  struct Place { std::size_t curve, position; };
+  struct Place
+  {
+    std::size_t curve, position;
+  };
   std::vector<Place> places;
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t i = 0; i < all[c].size(); ++i) { places.push_back({c, i}); }
@@ -20,7 +23,10 @@ inline void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_c
   std::sort(places.begin(), places.end(), [&](const Place& p, const Place& q) { return is_before(at(p), at(q)); });
   std::vector<std::vector<double>> rank(all.size());
   for (std::size_t c = 0; c < all.size(); ++c) { rank[c].resize(all[c].size()); }
-  for (std::size_t i = 0; i < places.size(); ++i) { rank[places[i].curve][places[i].position] = static_cast<double>(i); }
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    rank[places[i].curve][places[i].position] = static_cast<double>(i);
+  }
   for (std::size_t c = 0; c < all.size(); ++c)
   {
     std::vector<Normal_curves::Step> steps;
@@ -54,7 +60,10 @@ inline double length(const Normal_curves& curves, Index c)
 inline double length(const Triangle_surface& s, const std::vector<Index>& loop)
 {
   double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) { sum += distance(s.points[loop[i]], s.points[loop[(i + 1) % loop.size()]]); }
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    sum += distance(s.points[loop[i]], s.points[loop[(i + 1) % loop.size()]]);
+  }
   return sum;
 }
 
@@ -62,11 +71,14 @@ inline double length(const Triangle_surface& s, const std::vector<Index>& loop)
 inline void check_contract(const Normal_curves& curves)
 {
   for (Index n : curves.count_crossings())
-    if (n != 1) { throw Internal_error("find_generators: a meridian and its longitude cross " + std::to_string(n) + " times"); }
+    if (n != 1)
+    {
+      throw Internal_error("find_generators: a meridian and its longitude cross " + std::to_string(n) + " times");
+    }
 }
 
-// Finds longitudes, the shortest first: one is taken when no other could be shorter. Curves that are there only lengthen
-// the way of the others, so a way is the shortest still if nothing has come to its edges since it was found.
+// Finds longitudes, the shortest first: one is taken when no other could be shorter. Curves that are there only
+// lengthen the way of the others, so a way is the shortest still if nothing has come to its edges since it was found.
 //
 // `take_flow(i, loop)` may add another curve in place of `loop`, and says whether it did.
 template <class Take_flow>

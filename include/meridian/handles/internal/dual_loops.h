@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_HANDLES_INTERNAL_DUAL_LOOPS_H
 #define MERIDIAN_HANDLES_INTERNAL_DUAL_LOOPS_H
 
-#include <meridian/surface/Closed_model.h>
 #include <meridian/handles/internal/flow_loops.h>
+#include <meridian/surface/Closed_model.h>
 
 #include <boost/dynamic_bitset.hpp>
 #include <boost/pending/disjoint_sets.hpp>
@@ -19,14 +19,16 @@ struct Dual_loop
   boost::dynamic_bitset<> parity;
 };
 
-// A spanning tree of the nodes of a closed model and one of its faces that cross no common edge. The tree's loops of the edges in
-// neither are a basis; how often a strip of faces crosses them, modulo 2, is its class.
+// A spanning tree of the nodes of a closed model and one of its faces that cross no common edge. The tree's loops of
+// the edges in neither are a basis; how often a strip of faces crosses them, modulo 2, is its class.
 class Node_tree
 {
 public:
-  Node_tree(const Triangle_surface& s, const Closed_model& g) : m_surface(s), m_graph(g), m_is_down(s.number_of_halfedges(), 0)
+  Node_tree(const Triangle_surface& s, const Closed_model& g)
+    : m_surface(s), m_graph(g), m_is_down(s.number_of_halfedges(), 0)
   {
-    std::vector<Index> parent(g.number_of_nodes), face(s.number_of_faces()), rank(std::max(g.number_of_nodes, s.number_of_faces()), 0);
+    std::vector<Index> parent(g.number_of_nodes), face(s.number_of_faces()),
+      rank(std::max(g.number_of_nodes, s.number_of_faces()), 0);
     std::iota(parent.begin(), parent.end(), Index(0));
     std::iota(face.begin(), face.end(), Index(0));
     boost::disjoint_sets<Index*, Index*> nodes(rank.data(), parent.data());
@@ -37,7 +39,11 @@ public:
       const Index o = s.opposite[h];
       if (o < h) { continue; }
       const Index a = g.node[s.source(h)], b = g.node[s.target(h)];
-      if (nodes.find_set(a) == nodes.find_set(b)) { rest.push_back(h); continue; }
+      if (nodes.find_set(a) == nodes.find_set(b))
+      {
+        rest.push_back(h);
+        continue;
+      }
       nodes.union_set(a, b);
       tree[a].push_back(h);
       tree[b].push_back(o);
@@ -76,7 +82,8 @@ public:
 
   boost::dynamic_bitset<> parity_of(const std::vector<Passing>& strip) const
   {
-    std::vector<Index> changes; // on the tour of the tree, where the number of crossings on the way from its root changes parity
+    // on the tour of the tree, where the number of crossings on the way from its root changes parity
+    std::vector<Index> changes;
     std::vector<Index> own;
     for (const Passing& c : strip)
     {
@@ -91,7 +98,9 @@ public:
     }
     std::sort(changes.begin(), changes.end());
     std::sort(own.begin(), own.end());
-    const auto at = [&](Index v) { return (std::upper_bound(changes.begin(), changes.end(), m_enter[m_graph.node[v]]) - changes.begin()) & 1; };
+    const auto at = [&](Index v) {
+      return (std::upper_bound(changes.begin(), changes.end(), m_enter[m_graph.node[v]]) - changes.begin()) & 1;
+    };
     boost::dynamic_bitset<> parity(m_edges.size());
     for (std::size_t i = 0; i < m_edges.size(); ++i)
     {
@@ -110,9 +119,10 @@ private:
   std::vector<Index> m_enter, m_leave; // of each node on a tour of its tree
 };
 
-// The shortest loops through one face that are a basis: a tree of shortest ways through faces, and of the other edges a spanning tree
-// of the nodes with the longest loops (Erickson, Whittlesey 2005).
-inline std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g, Index base, std::vector<double>& far)
+// The shortest loops through one face that are a basis: a tree of shortest ways through faces, and of the other edges a
+// spanning tree of the nodes with the longest loops (Erickson, Whittlesey 2005).
+inline std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g, Index base,
+                                       std::vector<double>& far)
 {
   const Index faces = s.number_of_faces();
   std::vector<double> at(faces, std::numeric_limits<double>::infinity());
@@ -148,7 +158,8 @@ inline std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_m
     const Index o = s.opposite[h];
     if (o < h || by[s.face(o)] == h || by[s.face(h)] == o) { continue; }
     const Point middle = s.point_on(h, 0.5);
-    rest.emplace_back(-(at[s.face(h)] + at[s.face(o)] + distance(entry(s.face(h)), middle) + distance(entry(s.face(o)), middle)), h);
+    rest.emplace_back(
+      -(at[s.face(h)] + at[s.face(o)] + distance(entry(s.face(h)), middle) + distance(entry(s.face(o)), middle)), h);
   }
   std::sort(rest.begin(), rest.end());
   std::vector<Index> parent(g.number_of_nodes), rank(g.number_of_nodes, 0);
@@ -158,7 +169,11 @@ inline std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_m
   for (const auto& [length, h] : rest)
   {
     const Index a = g.node[s.source(h)], b = g.node[s.target(h)];
-    if (nodes.find_set(a) != nodes.find_set(b)) { nodes.union_set(a, b); continue; }
+    if (nodes.find_set(a) != nodes.find_set(b))
+    {
+      nodes.union_set(a, b);
+      continue;
+    }
     std::vector<Passing> there, back;
     for (Index f = s.face(h); by[f] >= 0; f = s.face(by[f])) { there.push_back({by[f], 0.5}); }
     for (Index f = s.face(s.opposite[h]); by[f] >= 0; f = s.face(by[f])) { back.push_back({s.opposite[by[f]], 0.5}); }
@@ -178,13 +193,17 @@ inline std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_m
 // Of loops, the shortest first, those that are independent of the ones before.
 inline std::vector<Dual_loop> choose_basis(std::vector<Dual_loop> loops, std::size_t wanted)
 {
-  std::stable_sort(loops.begin(), loops.end(), [](const Dual_loop& a, const Dual_loop& b) { return a.length < b.length; });
+  std::stable_sort(loops.begin(), loops.end(),
+                   [](const Dual_loop& a, const Dual_loop& b) { return a.length < b.length; });
   std::vector<Dual_loop> chosen;
   std::vector<std::pair<std::size_t, boost::dynamic_bitset<>>> reduced; // by their first bit
   for (Dual_loop& loop : loops)
   {
     boost::dynamic_bitset<> rest = loop.parity;
-    for (const auto& [bit, row] : reduced) { if (rest[bit]) { rest ^= row; } }
+    for (const auto& [bit, row] : reduced)
+    {
+      if (rest[bit]) { rest ^= row; }
+    }
     if (rest.none()) { continue; }
     reduced.emplace_back(rest.find_first(), rest);
     chosen.push_back(std::move(loop));
@@ -193,10 +212,11 @@ inline std::vector<Dual_loop> choose_basis(std::vector<Dual_loop> loops, std::si
   return chosen;
 }
 
-// Candidates for a short basis: the loops that make one from each of several faces far apart, and others; of these the shortest.
+// Candidates for a short basis: the loops that make one from each of several faces far apart, and others; of these the
+// shortest.
 template <class Progress>
-std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted, const std::vector<std::vector<Passing>>& others,
-                                       const Progress& progress)
+std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted,
+                                       const std::vector<std::vector<Passing>>& others, const Progress& progress)
 {
   const Closed_model g = make_closed_model(s);
   const Node_tree tree(s, g);
@@ -231,7 +251,10 @@ std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std
     for (Dual_loop& loop : all)
     {
       boost::dynamic_bitset<> rest = loop.parity;
-      for (const auto& [bit, row] : reduced) { if (rest[bit]) { rest ^= row; } }
+      for (const auto& [bit, row] : reduced)
+      {
+        if (rest[bit]) { rest ^= row; }
+      }
       const bool is_new = reduced.size() < wanted && rest.any();
       if (is_new) { reduced.emplace_back(rest.find_first(), rest); }
       (is_new ? candidates : left).push_back(std::move(loop));

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_HANDLES_INTERNAL_FLOW_LONGITUDES_H
 #define MERIDIAN_HANDLES_INTERNAL_FLOW_LONGITUDES_H
 
-#include <meridian/handles/Generators.h>
 #include <meridian/curves/find_crossing_loop.h>
+#include <meridian/handles/Generators.h>
 #include <meridian/handles/internal/flow_loops.h>
 
 #include <memory>
@@ -12,14 +12,14 @@ namespace meridian {
 namespace internal {
 
 // Looks for longitudes among flow lines (Patane 2007, section 4).
-template <class SymmetricTraits, class GeneralTraits>
-class Flow_longitudes
+template <class SymmetricTraits, class GeneralTraits> class Flow_longitudes
 {
 public:
   // `saddles`: of each pair's meridian, in `m.surface`. `longer`: than the arc a loop may be, by this factor.
-  Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, const Morse_complex& complex, Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles,
-                  double longer)
-    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_longer(longer), m_critical(find_critical_points(m.surface, m.rank))
+  Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, const Morse_complex& complex,
+                  Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles, double longer)
+    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_longer(longer),
+      m_critical(find_critical_points(m.surface, m.rank))
   {
     if (static_cast<int>(saddles.size()) > few) { return; }
     m_fields = std::make_unique<Two_point_fields<SymmetricTraits>>(root);
@@ -36,13 +36,17 @@ public:
       for (bool descend : {false, true})
       {
         Flow_tracer tracer(m_ordered, descend, m_critical);
-        if (take(i, find_flow_loops(m_curves, m_whole, m_ordered, {m_saddles[i].first}, tracer), m_ordered, m_whole, arc, pair)) { return true; }
+        if (take(i, find_flow_loops(m_curves, m_whole, m_ordered, {m_saddles[i].first}, tracer), m_ordered, m_whole,
+                 arc, pair))
+        {
+          return true;
+        }
       }
     const Index low = pair.meridian.saddle;
     const Index across = farthest_on(arc, low);
     if (!m_fields) { return add_on_patch(i, arc, low, across, pair); }
-    // The saddle becomes the minimum of a field; the maximum is where the shortest flow line from it comes to or, for the second
-    // iteration, across the handle.
+    // The saddle becomes the minimum of a field; the maximum is where the shortest flow line from it comes to or, for
+    // the second iteration, across the handle.
     for (Index high : {nearest_critical(m_saddles[i].first), across})
     {
       Ordered_surface h;
@@ -53,9 +57,9 @@ public:
   }
 
 private:
-  static constexpr int few = 8;            // handles for which fields are solved on the whole surface
-  static constexpr double reach = 0.3;     // of a patch, in lengths of the arc
-  static constexpr std::size_t share = 4;  // of all patches together, in faces of the surface, at most
+  static constexpr int few = 8;           // handles for which fields are solved on the whole surface
+  static constexpr double reach = 0.3;    // of a patch, in lengths of the arc
+  static constexpr std::size_t share = 4; // of all patches together, in faces of the surface, at most
 
   Index farthest_on(const Crossing_loop& arc, Index from) const
   {
@@ -63,7 +67,11 @@ private:
     for (const auto& step : arc.steps)
     {
       const Index v = m_root.source(step.halfedge);
-      if (best < 0 || distance(m_root.points[v], m_root.points[from]) > distance(m_root.points[best], m_root.points[from])) { best = v; }
+      if (best < 0
+          || distance(m_root.points[v], m_root.points[from]) > distance(m_root.points[best], m_root.points[from]))
+      {
+        best = v;
+      }
     }
     return best;
   }
@@ -86,25 +94,32 @@ private:
     std::vector<Index> faces;
     for (Index x : m_curves.crossings(2 * i)) { faces.push_back(m_curves.face_after(x)); }
     for (const auto& step : arc.steps) { faces.push_back(m_root.face(step.halfedge)); }
-    const Surface_patch patch = cut_patch(m_root, faces, faces.front(), reach * arc.length, share * m_root.number_of_faces() / m_saddles.size());
+    const Surface_patch patch =
+      cut_patch(m_root, faces, faces.front(), reach * arc.length, share * m_root.number_of_faces() / m_saddles.size());
     if (!patch.vertex.count(low) || !patch.vertex.count(high) || low == high) { return false; }
     Field_options options;
     options.minima = {patch.vertex.at(low)};
     options.maxima = {patch.vertex.at(high)};
     const Closed_model g = make_closed_model(patch.surface);
     if (g.node[options.minima.front()] == g.node[options.maxima.front()]) { return false; }
-    const Ordered_surface h = order_surface<SymmetricTraits, GeneralTraits>(patch.surface, options, [](Stage, const auto& work) { work(); });
+    const Ordered_surface h =
+      order_surface<SymmetricTraits, GeneralTraits>(patch.surface, options, [](Stage, const auto& work) { work(); });
     return take_all(i, h, patch, arc, pair);
   }
-  bool take_all(Index i, const Ordered_surface& h, const Surface_patch& patch, const Crossing_loop& arc, Generator_pair& pair)
+  bool take_all(Index i, const Ordered_surface& h, const Surface_patch& patch, const Crossing_loop& arc,
+                Generator_pair& pair)
   {
     const auto critical = find_critical_points(h.surface, h.rank);
     std::vector<Index> saddles;
-    for (const Critical_point& p : critical) { if (p.kind == Critical_kind::SADDLE) { saddles.push_back(p.vertex); } }
+    for (const Critical_point& p : critical)
+    {
+      if (p.kind == Critical_kind::SADDLE) { saddles.push_back(p.vertex); }
+    }
     Flow_tracer tracer(h, true, critical);
     return take(i, find_flow_loops(m_curves, patch, h, saddles, tracer), h, patch, arc, pair);
   }
-  bool take(Index i, const std::vector<Flow_loop>& loops, const Ordered_surface& h, const Surface_patch& patch, const Crossing_loop& arc, Generator_pair& pair)
+  bool take(Index i, const std::vector<Flow_loop>& loops, const Ordered_surface& h, const Surface_patch& patch,
+            const Crossing_loop& arc, Generator_pair& pair)
   {
     for (const Flow_loop& loop : loops)
     {

@@ -3,11 +3,11 @@
 #define MERIDIAN_HANDLES_INTERNAL_FLOW_LOOPS_H
 
 #include <meridian/curves/Normal_curves.h>
-#include <meridian/surface/examine_surface.h>
 #include <meridian/curves/flow_lines.h>
 #include <meridian/curves/morse_complex.h>
-#include <meridian/field/order_surface.h>
 #include <meridian/curves/project_contours.h>
+#include <meridian/field/order_surface.h>
+#include <meridian/surface/examine_surface.h>
 
 #include <unordered_map>
 
@@ -22,9 +22,10 @@ struct Surface_patch
   std::unordered_map<Index, Index> vertex; // the other way
 };
 
-// The faces within a distance of some others. Where the patch would touch itself it is pulled apart; the part that holds `start` is
-// kept. Empty if there are more faces than `most`.
-inline Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& faces, Index start, double reach, std::size_t most)
+// The faces within a distance of some others. Where the patch would touch itself it is pulled apart; the part that
+// holds `start` is kept. Empty if there are more faces than `most`.
+inline Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& faces, Index start, double reach,
+                               std::size_t most)
 {
   const auto centre = [&](Index f) {
     const auto& t = s.triangles[f];
@@ -52,7 +53,11 @@ inline Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Inde
       const Index g = s.face(s.opposite[h]);
       const double reached = d + distance(centre(f), centre(g));
       const auto [old, is_new] = at.try_emplace(g, reached);
-      if (reached > reach || (!is_new && !(reached < old->second))) { if (is_new) { at.erase(old); } continue; }
+      if (reached > reach || (!is_new && !(reached < old->second)))
+      {
+        if (is_new) { at.erase(old); }
+        continue;
+      }
       old->second = reached;
       queue.emplace(reached, g);
     }
@@ -69,29 +74,45 @@ inline Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Inde
   {
     std::array<Index, 3> corners;
     for (std::size_t k = 0; k < 3; ++k)
-      corners[k] = static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), s.triangles[f][k]) - vertices.begin());
+      corners[k] =
+        static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), s.triangles[f][k]) - vertices.begin());
     soup.add_polygon(corners.data(), 3);
   }
   Examination examination = examine_surface(soup, true);
   Surface_patch patch;
   for (Surface_component& c : examination.components)
   {
-    if (!std::binary_search(c.triangle_of.begin(), c.triangle_of.end(), static_cast<Index>(std::lower_bound(chosen.begin(), chosen.end(), start) - chosen.begin()))) { continue; }
+    if (!std::binary_search(c.triangle_of.begin(), c.triangle_of.end(),
+                            static_cast<Index>(std::lower_bound(chosen.begin(), chosen.end(), start) - chosen.begin())))
+    {
+      continue;
+    }
     const auto is_flipped = std::find(c.is_flipped.begin(), c.is_flipped.end(), 1) != c.is_flipped.end();
     if (is_flipped) { return {}; }
     patch.surface = std::move(c.surface);
     for (Index f : c.triangle_of) { patch.face_of.push_back(chosen[f]); }
-    for (Index v : c.vertex_of) { patch.vertex_of.push_back(vertices[v < static_cast<Index>(vertices.size()) ? v : examination.added_vertex_of[v - vertices.size()]]); }
-    for (std::size_t v = 0; v < patch.vertex_of.size(); ++v) { patch.vertex.emplace(patch.vertex_of[v], static_cast<Index>(v)); }
+    for (Index v : c.vertex_of)
+    {
+      patch.vertex_of.push_back(
+        vertices[v < static_cast<Index>(vertices.size()) ? v : examination.added_vertex_of[v - vertices.size()]]);
+    }
+    for (std::size_t v = 0; v < patch.vertex_of.size(); ++v)
+    {
+      patch.vertex.emplace(patch.vertex_of[v], static_cast<Index>(v));
+    }
   }
   return patch;
 }
 
 // A crossing with an edge, by the halfedge of the face that is left.
-struct Passing { Index halfedge; double t; };
+struct Passing
+{
+  Index halfedge;
+  double t;
+};
 
-// The edges that a closed polyline crosses once it is pushed a little to its left, off the vertices and edges that it runs along.
-// False if that would leave the surface.
+// The edges that a closed polyline crosses once it is pushed a little to its left, off the vertices and edges that it
+// runs along. False if that would leave the surface.
 inline bool push_left(const Triangle_surface& s, const std::vector<Curve_point>& loop, std::vector<Passing>& crossings)
 {
   constexpr double beside = 0.02; // of an edge, from the vertex that is passed
@@ -104,14 +125,23 @@ inline bool push_left(const Triangle_surface& s, const std::vector<Curve_point>&
     const Curve_point &p = loop[i], &q = loop[(i + 1) % n];
     Index along = -1; // a halfedge in the direction of the way, if it runs along an edge
     if (p.is_vertex() && q.is_vertex()) { along = s.find_halfedge(p.vertex, q.vertex); }
-    else if (p.is_vertex() && is_end(p.vertex, q.halfedge)) { along = s.source(q.halfedge) == p.vertex ? q.halfedge : s.opposite[q.halfedge]; }
-    else if (q.is_vertex() && is_end(q.vertex, p.halfedge)) { along = s.target(p.halfedge) == q.vertex ? p.halfedge : s.opposite[p.halfedge]; }
+    else if (p.is_vertex() && is_end(p.vertex, q.halfedge))
+    {
+      along = s.source(q.halfedge) == p.vertex ? q.halfedge : s.opposite[q.halfedge];
+    }
+    else if (q.is_vertex() && is_end(q.vertex, p.halfedge))
+    {
+      along = s.target(p.halfedge) == q.vertex ? p.halfedge : s.opposite[p.halfedge];
+    }
     else
     {
       // Through a face that holds both.
       face[i] = -1;
       const auto holds = [&](const Curve_point& x, Index f) {
-        for (Index h = 3 * f; h < 3 * f + 3; ++h) { if (x.is_vertex() ? s.source(h) == x.vertex : s.edge(h) == edge_of(x)) { return true; } }
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        {
+          if (x.is_vertex() ? s.source(h) == x.vertex : s.edge(h) == edge_of(x)) { return true; }
+        }
         return false;
       };
       const Curve_point& inner = p.is_vertex() ? q : p;
@@ -156,10 +186,11 @@ struct Flow_loop
   Index saddle; // of the whole surface, or nearest to it
 };
 
-// The loops that the two lines of one tracer from each of the given saddles make, as far as they meet, placed among curves on the whole.
-// The shortest come first.
-inline std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const Surface_patch& patch, const Ordered_surface& m,
-                                              const std::vector<Index>& saddles, Flow_tracer& tracer)
+// The loops that the two lines of one tracer from each of the given saddles make, as far as they meet, placed among
+// curves on the whole. The shortest come first.
+inline std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const Surface_patch& patch,
+                                              const Ordered_surface& m, const std::vector<Index>& saddles,
+                                              Flow_tracer& tracer)
 {
   const Triangle_surface &root = curves.surface(), &local = patch.surface;
   std::vector<std::pair<Index, std::pair<Index, Index>>> pairs; // a saddle and its two lines
@@ -196,7 +227,8 @@ inline std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const
     }
     cancel(root, crossings);
     if (crossings.size() < 3) { continue; }
-    Flow_loop found{{}, length(m.surface, Surface_curve{loop, true}), patch.vertex_of[root_vertex(local, m.surface, saddle)]};
+    Flow_loop found{
+      {}, length(m.surface, Surface_curve{loop, true}), patch.vertex_of[root_vertex(local, m.surface, saddle)]};
     for (const Passing& c : crossings)
     {
       const Index e = root.edge(c.halfedge);
@@ -230,10 +262,9 @@ inline bool try_loop(Normal_curves& curves, Index curve, std::vector<Normal_curv
   return true;
 }
 
-// Harmonic fields with one minimum and one maximum on one surface, by back-substitution: with one node pinned and factored once, each is an
-// affine function of the solution for a unit source at the one and a unit sink at the other.
-template <class SymmetricTraits>
-class Two_point_fields
+// Harmonic fields with one minimum and one maximum on one surface, by back-substitution: with one node pinned and
+// factored once, each is an affine function of the solution for a unit source at the one and a unit sink at the other.
+template <class SymmetricTraits> class Two_point_fields
 {
 public:
   explicit Two_point_fields(const Triangle_surface& root) : m_root(root)

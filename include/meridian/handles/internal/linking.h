@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_HANDLES_INTERNAL_LINKING_H
 #define MERIDIAN_HANDLES_INTERNAL_LINKING_H
 
-#include <meridian/surface/Refined_surface.h>
-#include <meridian/handles/internal/tree_cotree.h>
 #include <meridian/field/order_surface.h>
+#include <meridian/handles/internal/tree_cotree.h>
+#include <meridian/surface/Refined_surface.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
@@ -19,7 +19,8 @@ namespace meridian {
 namespace internal {
 
 // A curve on a refined surface, pushed to the nearest corners of the faces of the root: a closed walk of its halfedges.
-inline std::vector<Index> walk_on_root(const Triangle_surface& root, const Refined_surface& s, const std::vector<Index>& loop)
+inline std::vector<Index> walk_on_root(const Triangle_surface& root, const Refined_surface& s,
+                                       const std::vector<Index>& loop)
 {
   std::vector<Index> walk;
   for (std::size_t i = 0; i < loop.size(); ++i)
@@ -40,7 +41,8 @@ inline std::vector<Index> walk_on_root(const Triangle_surface& root, const Refin
 }
 
 // Points as sums of three vertices: exact where they must be.
-using Weighted_point = std::array<Index, 6>; // a vertex is (v,v,v,v,v,v), a midpoint (v,v,v,w,w,w), a centre (u,u,v,v,w,w)
+// a vertex is (v,v,v,v,v,v), a midpoint (v,v,v,w,w,w), a centre (u,u,v,v,w,w)
+using Weighted_point = std::array<Index, 6>;
 
 // Signs of determinants of such points, from intervals, and from rational numbers where these do not tell.
 class Exact_signs
@@ -61,14 +63,18 @@ public:
       if (!(n[k].inf() == 0 && n[k].sup() == 0))
       {
         const auto exact = normal<CGAL::Exact_rational>(a, b, a, q);
-        for (int i : {2, 0, 1}) { if (exact[i] != 0) { return exact[i] > 0 ? 1 : -1; } }
+        for (int i : {2, 0, 1})
+        {
+          if (exact[i] != 0) { return exact[i] > 0 ? 1 : -1; }
+        }
         return 0;
       }
     }
     return 0;
   }
   // The sign of the volume of (b - a, q - p, r - a).
-  int volume(const Weighted_point& a, const Weighted_point& b, const Weighted_point& p, const Weighted_point& q, const Weighted_point& r) const
+  int volume(const Weighted_point& a, const Weighted_point& b, const Weighted_point& p, const Weighted_point& q,
+             const Weighted_point& r) const
   {
     const auto of = [&](auto zero) {
       using N = decltype(zero);
@@ -89,7 +95,8 @@ public:
       for (const auto& t : m_surface.triangles)
       {
         const auto a = position<N>(t[0]), b = position<N>(t[1]), c = position<N>(t[2]);
-        sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+        sum +=
+          a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
       }
       return sum;
     };
@@ -117,7 +124,9 @@ private:
     }
     return d;
   }
-  template <class N> std::array<N, 3> normal(const Weighted_point& a, const Weighted_point& b, const Weighted_point& p, const Weighted_point& q) const
+  template <class N>
+  std::array<N, 3> normal(const Weighted_point& a, const Weighted_point& b, const Weighted_point& p,
+                          const Weighted_point& q) const
   {
     const auto u = difference<N>(a, b), v = difference<N>(p, q);
     return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
@@ -127,10 +136,13 @@ private:
 };
 
 // On which sides of the surface a walk bounds.
-struct Sides { bool inside = false, outside = false; };
+struct Sides
+{
+  bool inside = false, outside = false;
+};
 
-// For each walk of halfedges, by its linking numbers with loops through faces pushed off to the one and to the other side.
-// Empty if something touches that should not.
+// For each walk of halfedges, by its linking numbers with loops through faces pushed off to the one and to the other
+// side. Empty if something touches that should not.
 inline std::vector<Sides> find_bounding_sides(const Triangle_surface& s, const std::vector<std::vector<Index>>& walks)
 {
   const CGAL::Interval_nt<false>::Protector rounding;
@@ -156,7 +168,9 @@ inline std::vector<Sides> find_bounding_sides(const Triangle_surface& s, const s
   const Tree_cotree trees(s);
 
   const auto vertex = [](Index v) { return Weighted_point{v, v, v, v, v, v}; };
-  const auto left = [&](const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) { return signs.side(a, b, q) >= 0; };
+  const auto left = [&](const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) {
+    return signs.side(a, b, q) >= 0;
+  };
   std::vector<Sides> result;
   std::vector<std::pair<Box, Index>> near;
   for (const auto& walk : walks)
@@ -167,8 +181,9 @@ inline std::vector<Sides> find_bounding_sides(const Triangle_surface& s, const s
       const Weighted_point a = vertex(s.source(e)), b = vertex(s.target(e));
       const Index own = s.edge(e);
       crossed[own] += own == e ? 1 : -1;
-      // Where a loop crosses the walk itself, pushed along the normals. Seen in the projection, it passes over the edge from
-      // left to right, or it stays on one side of it and goes round it only where the surface folds away from the edge.
+      // Where a loop crosses the walk itself, pushed along the normals. Seen in the projection, it passes over the edge
+      // from left to right, or it stays on one side of it and goes round it only where the surface folds away from the
+      // edge.
       const Index o = s.opposite[e];
       const int left_up = signs.side(a, b, vertex(s.apex(e))), right_up = -signs.side(a, b, vertex(s.apex(o)));
       const int fold = signs.volume(a, b, a, vertex(s.apex(e)), vertex(s.apex(o)));
@@ -185,7 +200,8 @@ inline std::vector<Sides> find_bounding_sides(const Triangle_surface& s, const s
         for (Index h = 3 * f; h < 3 * f + 3; ++h)
         {
           if (s.edge(h) == own) { continue; }
-          const Index u = std::min(s.source(h), s.target(h)), v = std::max(s.source(h), s.target(h)); // the same from both faces
+          // the same from both faces
+          const Index u = std::min(s.source(h), s.target(h)), v = std::max(s.source(h), s.target(h));
           const Weighted_point middle{u, u, u, v, v, v};
           const bool middle_left = left(a, b, middle);
           if (middle_left == centre_left || left(centre, middle, a) == left(centre, middle, b)) { continue; }
@@ -196,7 +212,8 @@ inline std::vector<Sides> find_bounding_sides(const Triangle_surface& s, const s
         }
       }
     }
-    // Pushed along the normals, the loops lie on their side, and the walk bounds on the other if it is not linked with any.
+    // Pushed along the normals, the loops lie on their side, and the walk bounds on the other if it is not linked with
+    // any.
     const std::vector<int> above = trees.integrate(linked), across = trees.integrate(crossed);
     bool bounds_below = true, bounds_above = true;
     for (std::size_t i = 0; i < above.size(); ++i)

@@ -11,9 +11,9 @@ namespace meridian {
 
 namespace internal {
 
-// A spanning tree of the vertices of a connected surface, and one of its faces that crosses no edge of the first (Eppstein
-// 2003). On a surface with boundary, all its boundary loops together are one face more. Each edge in neither has a loop
-// through faces that crosses it; how often a closed walk crosses these loops is its class in first homology.
+// A spanning tree of the vertices of a connected surface, and one of its faces that crosses no edge of the first
+// (Eppstein 2003). On a surface with boundary, all its boundary loops together are one face more. Each edge in neither
+// has a loop through faces that crosses it; how often a closed walk crosses these loops is its class in first homology.
 class Tree_cotree
 {
 public:
@@ -23,18 +23,26 @@ public:
     std::iota(vertex.begin(), vertex.end(), Index(0));
     std::iota(face.begin(), face.end(), Index(0));
     const auto join = [](std::vector<Index>& set, Index a, Index b) {
-      const auto find = [&](Index i) { while (set[i] != i) { i = set[i] = set[set[i]]; } return i; };
+      const auto find = [&](Index i) {
+        while (set[i] != i) { i = set[i] = set[set[i]]; }
+        return i;
+      };
       a = find(a);
       b = find(b);
       set[a] = b;
       return a != b;
     };
-    std::vector<std::vector<Index>> around(m_outside + 1); // of a face: halfedges of other faces, across edges of its tree
+    // of a face: halfedges of other faces, across edges of its tree
+    std::vector<std::vector<Index>> around(m_outside + 1);
     for (Index h = 0; h < s.number_of_halfedges(); ++h)
     {
       if (s.edge(h) != h || join(vertex, s.source(h), s.target(h))) { continue; }
       const Index o = s.opposite[h], g = o < 0 ? m_outside : s.face(o);
-      if (!join(face, s.face(h), g)) { m_edges.push_back(h); continue; }
+      if (!join(face, s.face(h), g))
+      {
+        m_edges.push_back(h);
+        continue;
+      }
       around[g].push_back(h);
       if (o >= 0) { around[s.face(h)].push_back(o); }
     }
@@ -63,8 +71,9 @@ public:
 
   // The edges in neither tree: twice the genus, and one less than the boundary loops if there are any.
   const std::vector<Index>& edges() const { return m_edges; }
-  // For each of `edges()`, the sum of a flow over its loop through faces, which crosses the edge from the face of its halfedge to
-  // the other and returns through the tree. `flow`: by halfedge `surface.edge(h)`, what crossing it from its own face counts.
+  // For each of `edges()`, the sum of a flow over its loop through faces, which crosses the edge from the face of its
+  // halfedge to the other and returns through the tree. `flow`: by halfedge `surface.edge(h)`, what crossing it from
+  // its own face counts.
   std::vector<int> integrate(const std::map<Index, int>& flow) const
   {
     std::vector<std::pair<Index, int>> steps; // where on the tour of the faces' tree the sum changes
@@ -80,7 +89,8 @@ public:
     int sum = 0;
     for (auto& step : steps) { step.second = sum += step.second; }
     const auto at = [&](Index face) {
-      auto after = std::upper_bound(steps.begin(), steps.end(), m_enter[face], [](Index t, const auto& step) { return t < step.first; });
+      auto after = std::upper_bound(steps.begin(), steps.end(), m_enter[face],
+                                    [](Index t, const auto& step) { return t < step.first; });
       return after == steps.begin() ? 0 : std::prev(after)->second;
     };
     std::vector<int> sums;
@@ -88,14 +98,15 @@ public:
     {
       const auto own = flow.find(e);
       const Index o = m_surface.opposite[e];
-      sums.push_back((own == flow.end() ? 0 : own->second) + at(m_surface.face(e)) - at(o < 0 ? m_outside : m_surface.face(o)));
+      sums.push_back((own == flow.end() ? 0 : own->second) + at(m_surface.face(e))
+                     - at(o < 0 ? m_outside : m_surface.face(o)));
     }
     return sums;
   }
 
 private:
   const Triangle_surface& m_surface;
-  Index m_outside;                     // the face beyond all boundary loops
+  Index m_outside; // the face beyond all boundary loops
   std::vector<Index> m_edges;
   std::vector<char> m_is_down;         // for each halfedge, whether the faces' tree comes down through it
   std::vector<Index> m_enter, m_leave; // of each face on a tour of its tree

@@ -63,27 +63,40 @@ std::string map_with_cgal(const Triangle_surface& disc, Map_method method, bool 
   switch (method)
   {
   case Map_method::MEAN_VALUE:
-    code = in_square ? run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Square, Solver>()) : run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Circle, Solver>());
+    code = in_square ? run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Square, Solver>())
+                     : run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Circle, Solver>());
     break;
   case Map_method::TUTTE:
-    code = in_square ? run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Square, Solver>()) : run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Circle, Solver>());
+    code = in_square ? run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Square, Solver>())
+                     : run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Circle, Solver>());
     break;
   case Map_method::CONFORMAL:
-    code = in_square ? run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Square, Solver>()) : run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Circle, Solver>());
+    code = in_square ? run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Square, Solver>())
+                     : run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Circle, Solver>());
     break;
   case Map_method::AUTHALIC:
-    code = in_square ? run(SMP::Discrete_authalic_parameterizer_3<Mesh, Square, Solver>()) : run(SMP::Discrete_authalic_parameterizer_3<Mesh, Circle, Solver>());
+    code = in_square ? run(SMP::Discrete_authalic_parameterizer_3<Mesh, Square, Solver>())
+                     : run(SMP::Discrete_authalic_parameterizer_3<Mesh, Circle, Solver>());
     break;
   case Map_method::LSCM: code = run(SMP::LSCM_parameterizer_3<Mesh>()); break;
-  case Map_method::ARAP: code = run(SMP::ARAP_parameterizer_3<Mesh, SMP::Two_vertices_parameterizer_3<Mesh>, Solver>()); break;
+  case Map_method::ARAP:
+    code = run(SMP::ARAP_parameterizer_3<Mesh, SMP::Two_vertices_parameterizer_3<Mesh>, Solver>());
+    break;
   default: return "CGAL has no such method";
   }
   at.clear();
   for (const auto v : vertex) { at.push_back({uv[v].x(), uv[v].y()}); }
-  if (area_of(disc.triangles, at) < 0) { for (Plane_point& p : at) { std::swap(p[0], p[1]); } } // squares are run around the other way
+  // squares are run around the other way
+  if (area_of(disc.triangles, at) < 0)
+  {
+    for (Plane_point& p : at) { std::swap(p[0], p[1]); }
+  }
   // CGAL calls a map with flipped faces an error; they are counted here.
   if (code == SMP::ERROR_NO_1_TO_1_MAPPING) { code = SMP::OK; }
-  for (const Plane_point& p : at) { if (!std::isfinite(p[0]) || !std::isfinite(p[1])) { return "a coordinate is not finite"; } }
+  for (const Plane_point& p : at)
+  {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1])) { return "a coordinate is not finite"; }
+  }
   return explain_error(code);
 }
 

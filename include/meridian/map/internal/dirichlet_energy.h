@@ -20,7 +20,9 @@ struct Rest_triangle
 // The triangle with the corners (0, 0), (b, 0) and (x, y).
 inline Rest_triangle make_rest_triangle(const std::array<Index, 3>& corners, double b, double x, double y)
 {
-  return {corners, {Plane_point{-1 / b, (x - b) / (b * y)}, Plane_point{1 / b, -x / (b * y)}, Plane_point{0, 1 / y}}, b * y / 2};
+  return {corners,
+          {Plane_point{-1 / b, (x - b) / (b * y)}, Plane_point{1 / b, -x / (b * y)}, Plane_point{0, 1 / y}},
+          b * y / 2};
 }
 
 // The gradient of a map on a triangle, and its signed singular value decomposition: U diag(s) V^T, s[0] >= |s[1]|.
@@ -53,11 +55,19 @@ inline double symmetric_dirichlet_energy(const Map_gradient& j)
 }
 
 // A summand of the Hessian, lambda q q^T.
-struct Hessian_mode { double lambda; std::array<double, 6> q; };
+struct Hessian_mode
+{
+  double lambda;
+  std::array<double, 6> q;
+};
 
-// The derivatives of the energy for the coordinates x0 y0 x1 y1 x2 y2 of the corners, without the weight. The Hessian is the sum of the modes; one
-// that bends downwards is left out (Smith, de Goes, Kim 2019).
-struct Energy_derivatives { std::array<double, 6> gradient; std::array<Hessian_mode, 4> modes; };
+// The derivatives of the energy for the coordinates x0 y0 x1 y1 x2 y2 of the corners, without the weight. The Hessian
+// is the sum of the modes; one that bends downwards is left out (Smith, de Goes, Kim 2019).
+struct Energy_derivatives
+{
+  std::array<double, 6> gradient;
+  std::array<Hessian_mode, 4> modes;
+};
 
 inline Energy_derivatives derive_energy(const Rest_triangle& t, const Map_gradient& j)
 {
@@ -98,10 +108,12 @@ inline Energy_derivatives derive_energy(const Rest_triangle& t, const Map_gradie
 }
 
 // How far the corners can go until the triangle loses its area; at most 1.
-inline double step_to_collapse(const Rest_triangle& t, const std::vector<Plane_point>& at, const std::vector<Plane_point>& step)
+inline double step_to_collapse(const Rest_triangle& t, const std::vector<Plane_point>& at,
+                               const std::vector<Plane_point>& step)
 {
   const auto& c = t.corners;
-  const Plane_point p = at[c[1]] - at[c[0]], q = at[c[2]] - at[c[0]], u = step[c[1]] - step[c[0]], v = step[c[2]] - step[c[0]];
+  const Plane_point p = at[c[1]] - at[c[0]], q = at[c[2]] - at[c[0]], u = step[c[1]] - step[c[0]],
+                    v = step[c[2]] - step[c[0]];
   const double a = cross(u, v), b = cross(p, v) + cross(u, q), d = cross(p, q); // a s^2 + b s + d
   const double root = b * b - 4 * a * d;
   double first = 1;

@@ -15,8 +15,7 @@ namespace meridian {
 namespace internal {
 
 // Numbers the vertices of a mesh in the order of `vertices(tm)`, whatever their descriptors are.
-template <class TriangleMesh>
-class Vertex_numbers
+template <class TriangleMesh> class Vertex_numbers
 {
 public:
   using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
@@ -31,8 +30,7 @@ private:
   std::map<Vertex, Index> m_number;
 };
 
-template <class TriangleMesh, class VertexPointMap>
-Triangle_surface convert(const TriangleMesh& tm, VertexPointMap vpm)
+template <class TriangleMesh, class VertexPointMap> Triangle_surface convert(const TriangleMesh& tm, VertexPointMap vpm)
 {
   const Vertex_numbers<TriangleMesh> number(tm);
   Triangle_surface s;
@@ -41,7 +39,8 @@ Triangle_surface convert(const TriangleMesh& tm, VertexPointMap vpm)
     const auto& p = get(vpm, v);
     const Point q{CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
     if (!std::isfinite(q[0]) || !std::isfinite(q[1]) || !std::isfinite(q[2]))
-      throw Invalid_input_error("vertex " + std::to_string(number[v]) + " has a coordinate that is not a finite number");
+      throw Invalid_input_error("vertex " + std::to_string(number[v])
+                                + " has a coordinate that is not a finite number");
     s.points.push_back(q);
   }
   for (auto f : faces(tm))
@@ -55,13 +54,23 @@ Triangle_surface convert(const TriangleMesh& tm, VertexPointMap vpm)
   }
   connect(s);
   for (Index v = 0; v < s.number_of_vertices(); ++v)
-    if (s.outgoing[v] < 0) { throw Invalid_input_error("vertex " + std::to_string(v) + " belongs to no face; remove it"); }
+    if (s.outgoing[v] < 0)
+    {
+      throw Invalid_input_error("vertex " + std::to_string(v) + " belongs to no face; remove it");
+    }
   std::vector<Index> corners(s.number_of_vertices(), 0);
-  for (const auto& t : s.triangles) { for (Index v : t) { ++corners[v]; } }
+  for (const auto& t : s.triangles)
+  {
+    for (Index v : t) { ++corners[v]; }
+  }
   for (Index v = 0; v < s.number_of_vertices(); ++v)
   {
     s.for_each_outgoing(v, [&](Index) { --corners[v]; });
-    if (corners[v] != 0) { throw Invalid_input_error("vertex " + std::to_string(v) + " is pinched: its faces form several fans; divide it first"); }
+    if (corners[v] != 0)
+    {
+      throw Invalid_input_error("vertex " + std::to_string(v)
+                                + " is pinched: its faces form several fans; divide it first");
+    }
   }
   return s;
 }

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_PROOF_INTERNAL_GENERATOR_VERIFIER_H
 #define MERIDIAN_PROOF_INTERNAL_GENERATOR_VERIFIER_H
 
-#include <meridian/proof/internal/verify_basis.h>
 #include <meridian/proof/internal/Mesh_verifier.h>
+#include <meridian/proof/internal/verify_basis.h>
 
 namespace meridian {
 namespace verification {
@@ -12,7 +12,8 @@ class Generator_verifier : Mesh_verifier
 {
 public:
   Generator_verifier(const Polygon_soup& input, const Result_mesh& result, const std::vector<Result_curve>& curves)
-    : Mesh_verifier(input, result), m_curves(curves) {}
+    : Mesh_verifier(input, result), m_curves(curves)
+  {}
 
   Generator_verification run()
   {
@@ -22,7 +23,10 @@ public:
       if (m_report.failures.empty() && read_names() && read_walks())
       {
         count_curves();
-        for (const Result_curve& c : m_curves) { if (!c.field.empty()) { check_flow(c); } }
+        for (const Result_curve& c : m_curves)
+        {
+          if (!c.field.empty()) { check_flow(c); }
+        }
       }
     }
     Generator_verification found;
@@ -32,10 +36,26 @@ public:
   }
 
 private:
-  enum Kind { MERIDIAN, LONGITUDE, LOOP, BOUNDARY };
-  struct Curve { Kind kind; Id number; int component = -1; std::vector<std::pair<Id, int>> walk; }; // sides, and which way
+  enum Kind
+  {
+    MERIDIAN,
+    LONGITUDE,
+    LOOP,
+    BOUNDARY
+  };
+  // sides, and which way
+  struct Curve
+  {
+    Kind kind;
+    Id number;
+    int component = -1;
+    std::vector<std::pair<Id, int>> walk;
+  };
   // A curve at a vertex: the sides, leaving the vertex, by which it comes and goes.
-  struct Pass { Id curve, from, to; };
+  struct Pass
+  {
+    Id curve, from, to;
+  };
 
   void complain(const std::string& text) { m_report.failures.push_back(text); }
   const std::string& name(Id curve) const { return m_curves[curve].name; }
@@ -57,7 +77,11 @@ private:
         kind = k;
         number = std::stoi(rest);
       }
-      if (kind < 0) { complain("curve '" + c.name + "' is not a meridian, longitude, loop or boundary with a number"); continue; }
+      if (kind < 0)
+      {
+        complain("curve '" + c.name + "' is not a meridian, longitude, loop or boundary with a number");
+        continue;
+      }
       if (!numbers[kind].insert(number).second) { complain("there are two curves '" + c.name + "'"); }
       m_read.push_back({static_cast<Kind>(kind), number, -1, {}});
     }
@@ -65,7 +89,8 @@ private:
       if (!numbers[k].empty() && *numbers[k].rbegin() != static_cast<Id>(numbers[k].size()) - 1)
         complain(std::string("curves '") + kinds[k] + "...' are not numbered through from 0");
     if (numbers[MERIDIAN] != numbers[LONGITUDE])
-      complain("there are " + std::to_string(numbers[MERIDIAN].size()) + " meridians and " + std::to_string(numbers[LONGITUDE].size()) + " longitudes");
+      complain("there are " + std::to_string(numbers[MERIDIAN].size()) + " meridians and "
+               + std::to_string(numbers[LONGITUDE].size()) + " longitudes");
     return m_report.failures.size() == before;
   }
 
@@ -81,19 +106,34 @@ private:
     std::vector<Id> fill(m_begin.begin(), m_begin.end() - 1);
     for (Id s = 0; s < sides; ++s) { m_leaving[fill[corner(s)]++] = s; }
     const auto find = [&](Id u, Id v) {
-      for (Id i = m_begin[u]; i < m_begin[u + 1]; ++i) { if (corner(next_side(m_leaving[i])) == v) { return m_leaving[i]; } }
+      for (Id i = m_begin[u]; i < m_begin[u + 1]; ++i)
+      {
+        if (corner(next_side(m_leaving[i])) == v) { return m_leaving[i]; }
+      }
       return Id(-1);
     };
     for (std::size_t c = 0; c < m_curves.size(); ++c)
     {
       const auto& points = m_curves[c].points;
       const std::string& text = m_curves[c].name;
-      if (points.size() < 4 || points.front() != points.back()) { complain(text + " is not closed, or has less than three edges"); continue; }
+      if (points.size() < 4 || points.front() != points.back())
+      {
+        complain(text + " is not closed, or has less than three edges");
+        continue;
+      }
       std::vector<Id> sorted(points.begin() + 1, points.end());
       std::sort(sorted.begin(), sorted.end());
-      if (sorted.front() < 0 || sorted.back() >= vertices) { complain(text + " names a vertex that is not there"); continue; }
+      if (sorted.front() < 0 || sorted.back() >= vertices)
+      {
+        complain(text + " names a vertex that is not there");
+        continue;
+      }
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-      if (twice != sorted.end()) { complain(text + " touches itself at vertex " + std::to_string(*twice)); continue; }
+      if (twice != sorted.end())
+      {
+        complain(text + " touches itself at vertex " + std::to_string(*twice));
+        continue;
+      }
       for (std::size_t i = 0; i + 1 < points.size(); ++i)
       {
         Id s = find(points[i], points[i + 1]);
@@ -101,7 +141,8 @@ private:
         if (s < 0) { s = find(points[i + 1], points[i]); }
         if (s < 0)
         {
-          complain(text + " goes from vertex " + std::to_string(points[i]) + " to " + std::to_string(points[i + 1]) + " where the mesh has no edge");
+          complain(text + " goes from vertex " + std::to_string(points[i]) + " to " + std::to_string(points[i + 1])
+                   + " where the mesh has no edge");
           break;
         }
         m_read[c].walk.emplace_back(s, sign);
@@ -119,7 +160,11 @@ private:
     for (Id s = start;;)
     {
       const Id o = m_result_twin[s]; // one step clockwise
-      if (o < 0) { start = s; break; }
+      if (o < 0)
+      {
+        start = s;
+        break;
+      }
       s = next_side(o);
       if (s == start) { break; }
     }
@@ -151,7 +196,10 @@ private:
     for (Id c : order)
     {
       if (m_read[c].kind == BOUNDARY) { continue; }
-      if (m_read[c].component < last) { complain(name(c) + " lies on component " + std::to_string(m_read[c].component) + ", out of order"); }
+      if (m_read[c].component < last)
+      {
+        complain(name(c) + " lies on component " + std::to_string(m_read[c].component) + ", out of order");
+      }
       last = m_read[c].component;
     }
     find_intersections();
@@ -169,15 +217,20 @@ private:
       m_counts[i].pairs = static_cast<int>(of[i].size()) / 2;
       if (static_cast<int>(of[i].size()) != 2 * count.genus)
       {
-        complain("component " + std::to_string(i) + " has genus " + std::to_string(count.genus) + " and " + std::to_string(of[i].size()) + " curves, not twice as many");
+        complain("component " + std::to_string(i) + " has genus " + std::to_string(count.genus) + " and "
+                 + std::to_string(of[i].size()) + " curves, not twice as many");
         continue;
       }
       if (m_counts[i].boundary_loops != count.boundary_loops)
-        complain("component " + std::to_string(i) + " has " + std::to_string(count.boundary_loops) + " boundary loops, and "
-                 + std::to_string(m_counts[i].boundary_loops) + " are listed");
+        complain("component " + std::to_string(i) + " has " + std::to_string(count.boundary_loops)
+                 + " boundary loops, and " + std::to_string(m_counts[i].boundary_loops) + " are listed");
       fill_matrix(i, of[i], are_pairs);
       // A symplectic matrix is unimodular: on a closed component the curves are a basis.
-      if (m_counts[i].is_symplectic && count.boundary_loops == 0) { m_counts[i].is_basis = true; continue; }
+      if (m_counts[i].is_symplectic && count.boundary_loops == 0)
+      {
+        m_counts[i].is_basis = true;
+        continue;
+      }
       check_basis(i, of[i], faces[i], local);
     }
   }
@@ -185,7 +238,11 @@ private:
   void check_boundary(Id c)
   {
     for (const auto& [side, sign] : m_read[c].walk)
-      if (m_result_twin[side] >= 0) { complain(name(c) + " leaves the boundary"); return; }
+      if (m_result_twin[side] >= 0)
+      {
+        complain(name(c) + " leaves the boundary");
+        return;
+      }
     ++m_counts[m_read[c].component].boundary_loops;
     const auto first = std::min_element(m_read[c].walk.begin(), m_read[c].walk.end())->first;
     if (!m_boundaries.insert(first).second) { complain(name(c) + " is listed twice"); }
@@ -210,7 +267,9 @@ private:
     for (std::size_t i = 1; i < edges.size(); ++i)
       if (edges[i].first == edges[i - 1].first) { m_touches.insert({edges[i - 1].second, edges[i].second}); }
     for (const auto& [a, b] : m_touches) { complain(name(a) + " and " + name(b) + " run along one edge"); }
-    std::sort(passes.begin(), passes.end(), [](const auto& a, const auto& b) { return std::tie(a.first, a.second.curve) < std::tie(b.first, b.second.curve); });
+    std::sort(passes.begin(), passes.end(), [](const auto& a, const auto& b) {
+      return std::tie(a.first, a.second.curve) < std::tie(b.first, b.second.curve);
+    });
     for (std::size_t i = 0, j; i < passes.size(); i = j)
     {
       for (j = i; j < passes.size() && passes[j].first == passes[i].first; ++j) {}
@@ -219,7 +278,10 @@ private:
       for (Id s : rotation(passes[i].first))
       {
         place.emplace(corner(next_side(s)), static_cast<int>(place.size()));
-        if (m_result_twin[next_side(next_side(s))] < 0) { place.emplace(corner(next_side(next_side(s))), static_cast<int>(place.size())); }
+        if (m_result_twin[next_side(next_side(s))] < 0)
+        {
+          place.emplace(corner(next_side(next_side(s))), static_cast<int>(place.size()));
+        }
       }
       for (std::size_t a = i; a < j; ++a)
         for (std::size_t b = a + 1; b < j; ++b) { meet(passes[i].first, passes[a].second, passes[b].second, place); }
@@ -274,25 +336,35 @@ private:
       const std::string both = name(key.first) + " and " + name(key.second);
       if (!is_pair)
       {
-        complain(both + (m.crossings == 0 ? " touch" : " cross") + ", at " + std::to_string(m.vertices) + " vertices (last: " + std::to_string(m.vertex) + ")");
+        complain(both + (m.crossings == 0 ? " touch" : " cross") + ", at " + std::to_string(m.vertices)
+                 + " vertices (last: " + std::to_string(m.vertex) + ")");
         continue;
       }
       seen.insert(key);
       const int forward = m_read[key.first].kind == MERIDIAN ? m.number : -m.number;
       if (m.vertices != 1) { complain(both + " share " + std::to_string(m.vertices) + " vertices, not one"); }
-      else if (m.crossings == 0) { complain(both + " touch at vertex " + std::to_string(m.vertex) + " without crossing"); }
+      else if (m.crossings == 0)
+      {
+        complain(both + " touch at vertex " + std::to_string(m.vertex) + " without crossing");
+      }
       else if (forward != 1) { complain(both + " cross with the intersection number -1: one of them is reversed"); }
     }
     for (std::size_t i = 0; i + 1 < curves.size(); i += 2)
-      if (!seen.count(std::minmax(curves[i], curves[i + 1]))) { complain(name(curves[i]) + " and " + name(curves[i + 1]) + " do not meet"); }
+      if (!seen.count(std::minmax(curves[i], curves[i + 1])))
+      {
+        complain(name(curves[i]) + " and " + name(curves[i + 1]) + " do not meet");
+      }
     if (!count.is_symplectic && m_report.failures.size() == before)
-      complain("the intersection matrix of component " + std::to_string(component) + " is not the standard symplectic one");
+      complain("the intersection matrix of component " + std::to_string(component)
+               + " is not the standard symplectic one");
   }
 
-  void check_basis(int component, const std::vector<Id>& curves, const std::vector<Id>& faces, const std::vector<Id>& local)
+  void check_basis(int component, const std::vector<Id>& curves, const std::vector<Id>& faces,
+                   const std::vector<Id>& local)
   {
     const Component_count& count = m_report.components[component];
-    const Tree_cotree trees(faces, local, m_result_twin, static_cast<Id>(m_result.points.size()), [&](Id s) { return corner(s); });
+    const Tree_cotree trees(faces, local, m_result_twin, static_cast<Id>(m_result.points.size()),
+                            [&](Id s) { return corner(s); });
     std::vector<Integer_row> rows;
     for (Id c : curves) { rows.push_back(trees.class_of(m_read[c].walk)); }
     bool is_first = true;
@@ -303,11 +375,13 @@ private:
       is_first = false;
     }
     if (trees.rank() != 2 * count.genus + std::max(count.boundary_loops - 1, 0))
-      complain("component " + std::to_string(component) + ": spanning trees leave " + std::to_string(trees.rank()) + " edges");
+      complain("component " + std::to_string(component) + ": spanning trees leave " + std::to_string(trees.rank())
+               + " edges");
     m_counts[component].is_basis = is_unimodular(rows, trees.rank());
     if (!m_counts[component].is_basis)
       complain("the curves of component " + std::to_string(component)
-               + ", with its boundary loops but one, are not a basis of first homology: their determinant is neither 1 nor -1");
+               + ", with its boundary loops but one, are not a basis of first homology: their determinant is neither 1 "
+                 "nor -1");
   }
 
   // Flow lines from a saddle to one place: the field rises once and falls once.
@@ -320,7 +394,8 @@ private:
       const auto a = c.field.find(o.index[0]), b = o.kind == Result_origin::EDGE ? c.field.find(o.index[1]) : a;
       if (o.kind == Result_origin::FACE || a == c.field.end() || b == c.field.end())
       {
-        complain(c.name + " is said to be made of flow lines, and its field has no value at vertex " + std::to_string(c.points[i]));
+        complain(c.name + " is said to be made of flow lines, and its field has no value at vertex "
+                 + std::to_string(c.points[i]));
         return;
       }
       values.push_back(o.kind == Result_origin::EDGE ? a->second + o.weight[0] * (b->second - a->second) : a->second);
@@ -335,15 +410,20 @@ private:
       turns += (before < values[i]) != (values[i] < after);
     }
     if (!is_strict || turns != 2)
-      complain(c.name + " is said to be made of flow lines, and its field turns " + std::to_string(turns) + " times along it, not twice");
+      complain(c.name + " is said to be made of flow lines, and its field turns " + std::to_string(turns)
+               + " times along it, not twice");
   }
 
-  struct Meeting { int vertices = 0, crossings = 0, number = 0; Id vertex = -1; };
+  struct Meeting
+  {
+    int vertices = 0, crossings = 0, number = 0;
+    Id vertex = -1;
+  };
   const std::vector<Result_curve>& m_curves;
   std::vector<Curve> m_read;
-  std::vector<Id> m_begin, m_leaving;           // sides by the vertex that they leave
+  std::vector<Id> m_begin, m_leaving;              // sides by the vertex that they leave
   std::map<std::pair<Id, Id>, Meeting> m_meetings; // of two curves, the lower first
-  std::set<std::pair<Id, Id>> m_touches;        // curves with a common edge
+  std::set<std::pair<Id, Id>> m_touches;           // curves with a common edge
   std::set<Id> m_boundaries;
   std::vector<Curve_count> m_counts;
 };

@@ -12,8 +12,8 @@
 namespace meridian {
 namespace verification {
 
-// The triangles of the input, how they are glued, and what that counts. An edge glues its sides if it has two; of an edge
-// with more, two sides whose corners lie in the same fans at both ends, if they are the only two.
+// The triangles of the input, how they are glued, and what that counts. An edge glues its sides if it has two; of an
+// edge with more, two sides whose corners lie in the same fans at both ends, if they are the only two.
 class Input_topology
 {
 public:
@@ -44,15 +44,17 @@ public:
     twin.assign(3 * static_cast<std::size_t>(n), -1);
     Union_find fans(3 * static_cast<std::size_t>(n));
     std::vector<std::vector<Id>> crowded;
-    for_each_edge(3 * n, static_cast<Id>(input.points.size()), [&](Id s) { return ends(s); }, [&](auto i, auto j) {
-      if (j - i == 2) { glue(*i, *(i + 1), fans); }
-      else if (j - i > 2)
-      {
-        crowded.emplace_back(i, j);
-        const auto [a, b] = ends(*i);
-        crowded_edges.insert({std::min(a, b), std::max(a, b)});
-      }
-    });
+    for_each_edge(
+      3 * n, static_cast<Id>(input.points.size()), [&](Id s) { return ends(s); },
+      [&](auto i, auto j) {
+        if (j - i == 2) { glue(*i, *(i + 1), fans); }
+        else if (j - i > 2)
+        {
+          crowded.emplace_back(i, j);
+          const auto [a, b] = ends(*i);
+          crowded_edges.insert({std::min(a, b), std::max(a, b)});
+        }
+      });
     for (const auto& sides : crowded)
     {
       std::vector<std::array<Id, 3>> key;
@@ -70,7 +72,10 @@ public:
       }
     }
     Union_find parts(n);
-    for (Id s = 0; s < 3 * n; ++s) { if (twin[s] >= 0) { parts.join(s / 3, twin[s] / 3); } }
+    for (Id s = 0; s < 3 * n; ++s)
+    {
+      if (twin[s] >= 0) { parts.join(s / 3, twin[s] / 3); }
+    }
     component.assign(n, -1);
     int components = 0;
     for (Id t = 0; t < n; ++t)
@@ -79,7 +84,8 @@ public:
       component[t] = parts.find(t) == t ? components++ : component[parts.find(t)];
     }
     counts.resize(components);
-    const Counts c = count_glued(n, twin, components + 1, [&](Id t) { return component[t] < 0 ? components : component[t]; }, fans);
+    const Counts c = count_glued(
+      n, twin, components + 1, [&](Id t) { return component[t] < 0 ? components : component[t]; }, fans);
     for (int i = 0; i < components; ++i)
     {
       Component_count& count = counts[i];
@@ -93,12 +99,12 @@ public:
   }
 
   std::vector<std::array<Id, 3>> triangles;
-  std::vector<char> is_used;      // of each triangle: not part of a face that repeats a vertex
-  std::vector<Id> first_triangle; // of each polygon
-  std::vector<Id> twin;           // of each side of a triangle
-  std::vector<Id> component;      // of each triangle
+  std::vector<char> is_used;                 // of each triangle: not part of a face that repeats a vertex
+  std::vector<Id> first_triangle;            // of each polygon
+  std::vector<Id> twin;                      // of each side of a triangle
+  std::vector<Id> component;                 // of each triangle
   std::set<std::array<Id, 2>> crowded_edges; // with three or more faces
-  std::vector<Id> damaged;        // polygons that name a vertex that is not there
+  std::vector<Id> damaged;                   // polygons that name a vertex that is not there
   std::vector<Component_count> counts;
 
 private:

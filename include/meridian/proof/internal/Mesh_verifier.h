@@ -52,31 +52,41 @@ protected:
     const Result_mesh& r = m_result;
     const std::size_t vertices = r.points.size(), faces = r.faces.size(), n = m_input.points.size();
     const std::size_t before = m_report.failures.size();
-    const auto expect = [&](bool holds, const std::string& text) { if (!holds) { m_report.failures.push_back(text); } };
+    const auto expect = [&](bool holds, const std::string& text) {
+      if (!holds) { m_report.failures.push_back(text); }
+    };
     expect(r.copy_of.size() == vertices && r.origin.size() == vertices,
-           "the map is not of this mesh: it has " + std::to_string(r.copy_of.size()) + " and " + std::to_string(r.origin.size())
-             + " entries for vertices, the mesh has " + std::to_string(vertices) + " vertices");
+           "the map is not of this mesh: it has " + std::to_string(r.copy_of.size()) + " and "
+             + std::to_string(r.origin.size()) + " entries for vertices, the mesh has " + std::to_string(vertices)
+             + " vertices");
     expect(r.face_of.size() == faces && r.component_of.size() == faces,
-           "the map is not of this mesh: it has " + std::to_string(r.face_of.size()) + " and " + std::to_string(r.component_of.size())
-             + " entries for faces, the mesh has " + std::to_string(faces) + " faces");
-    expect(vertices >= n, "the result has " + std::to_string(vertices) + " vertices, fewer than the input's " + std::to_string(n));
+           "the map is not of this mesh: it has " + std::to_string(r.face_of.size()) + " and "
+             + std::to_string(r.component_of.size()) + " entries for faces, the mesh has " + std::to_string(faces)
+             + " faces");
+    expect(vertices >= n,
+           "the result has " + std::to_string(vertices) + " vertices, fewer than the input's " + std::to_string(n));
     if (m_report.failures.size() != before) { return false; }
     const auto in = [](Id i, std::size_t size) { return i >= 0 && static_cast<std::size_t>(i) < size; };
     std::vector<Id> bad_faces, bad_vertices, bad_seams;
     for (std::size_t f = 0; f < faces; ++f)
     {
       const auto& c = r.faces[f];
-      if (!in(c[0], vertices) || !in(c[1], vertices) || !in(c[2], vertices) || c[0] == c[1] || c[1] == c[2] || c[0] == c[2]
-          || !in(r.face_of[f], m_input.number_of_polygons()) || !in(r.component_of[f], m_report.components.size()))
+      if (!in(c[0], vertices) || !in(c[1], vertices) || !in(c[2], vertices) || c[0] == c[1] || c[1] == c[2]
+          || c[0] == c[2] || !in(r.face_of[f], m_input.number_of_polygons())
+          || !in(r.component_of[f], m_report.components.size()))
         bad_faces.push_back(static_cast<Id>(f));
     }
     for (std::size_t v = 0; v < vertices; ++v)
     {
       const Result_origin& o = r.origin[v];
       const bool good = o.kind == Result_origin::VERTEX ? in(o.index[0], n)
-                        : o.kind == Result_origin::EDGE ? in(o.index[0], n) && in(o.index[1], n) && o.index[0] < o.index[1]
-                                                        : in(o.index[0], m_in.triangles.size()) && m_in.is_used[o.index[0]];
-      if (!good || r.copy_of[v] < -1 || r.copy_of[v] >= static_cast<Id>(v)) { bad_vertices.push_back(static_cast<Id>(v)); }
+                        : o.kind == Result_origin::EDGE
+                          ? in(o.index[0], n) && in(o.index[1], n) && o.index[0] < o.index[1]
+                          : in(o.index[0], m_in.triangles.size()) && m_in.is_used[o.index[0]];
+      if (!good || r.copy_of[v] < -1 || r.copy_of[v] >= static_cast<Id>(v))
+      {
+        bad_vertices.push_back(static_cast<Id>(v));
+      }
     }
     for (std::size_t i = 0; i < r.seams.size(); ++i)
       if (!in(r.seams[i][0], 3 * faces) || !in(r.seams[i][1], 3 * faces)) { bad_seams.push_back(static_cast<Id>(i)); }
@@ -105,21 +115,29 @@ protected:
     for (std::size_t i = 0; i < r.points.size(); ++i)
     {
       const Id v = static_cast<Id>(i);
-      const auto p = position_of(r.origin[v], m_input.points, [&](Id t) -> const std::array<Id, 3>& { return m_in.triangles[t]; });
+      const auto p =
+        position_of(r.origin[v], m_input.points, [&](Id t) -> const std::array<Id, 3>& { return m_in.triangles[t]; });
       if (!is_same(p, r.points[v])) { moved.push_back(v); }
       if (r.copy_of[v] >= 0)
       {
-        if (i < n || r.copy_of[r.copy_of[v]] >= 0 || !(r.origin[v] == r.origin[r.copy_of[v]])) { wrong_copies.push_back(v); }
+        if (i < n || r.copy_of[r.copy_of[v]] >= 0 || !(r.origin[v] == r.origin[r.copy_of[v]]))
+        {
+          wrong_copies.push_back(v);
+        }
         continue;
       }
       const bool is_files = r.origin[v].kind == Result_origin::VERTEX && r.origin[v].index[0] == v;
       if (i < n ? !is_files : r.origin[v].kind == Result_origin::VERTEX) { misplaced.push_back(v); }
       if (i >= n) { fresh.push_back(v); }
     }
-    const auto key = [&](Id v) { return std::make_pair(std::make_pair(static_cast<int>(r.origin[v].kind), r.origin[v].index), r.origin[v].weight); };
+    const auto key = [&](Id v) {
+      return std::make_pair(std::make_pair(static_cast<int>(r.origin[v].kind), r.origin[v].index), r.origin[v].weight);
+    };
     std::sort(fresh.begin(), fresh.end(), [&](Id a, Id b) { return key(a) < key(b); });
     // Along an edge with three or more faces several sheets may be divided alike.
-    const auto is_crowded = [&](Id v) { return r.origin[v].kind == Result_origin::EDGE && m_in.crowded_edges.count(r.origin[v].index) > 0; };
+    const auto is_crowded = [&](Id v) {
+      return r.origin[v].kind == Result_origin::EDGE && m_in.crowded_edges.count(r.origin[v].index) > 0;
+    };
     for (std::size_t i = 1; i < fresh.size(); ++i)
       if (key(fresh[i - 1]) == key(fresh[i]) && !is_crowded(fresh[i])) { doubled.push_back(fresh[i]); }
     fail("vertices are not at the position of their origin", moved);
@@ -135,7 +153,10 @@ protected:
     if (o.kind == Result_origin::FACE) { return o.index[0] == t ? 0 : -1; }
     int at[2] = {-1, -1};
     for (int k = 0; k < 3; ++k)
-      for (int e = 0; e < 2; ++e) { if (c[k] == o.index[e]) { at[e] = k; } }
+      for (int e = 0; e < 2; ++e)
+      {
+        if (c[k] == o.index[e]) { at[e] = k; }
+      }
     if (at[0] < 0 || (o.kind == Result_origin::EDGE && at[1] < 0)) { return -1; }
     if (o.kind == Result_origin::VERTEX) { return 1 << at[0] | 1 << (at[0] + 2) % 3; }
     return (at[0] + 1) % 3 == at[1] ? 1 << at[0] : 1 << at[1];
@@ -152,7 +173,8 @@ protected:
       const Id polygon = m_result.face_of[f];
       // The parts of a polygon come in the order of its triangles, so the search goes on where the last one ended.
       const Id first = m_in.first_triangle[polygon], size = m_in.first_triangle[polygon + 1] - first;
-      const Id hint = f > 0 && m_result.face_of[f - 1] == polygon && m_triangle_of[f - 1] >= 0 ? m_triangle_of[f - 1] - first : 0;
+      const Id hint =
+        f > 0 && m_result.face_of[f - 1] == polygon && m_triangle_of[f - 1] >= 0 ? m_triangle_of[f - 1] - first : 0;
       for (Id i = 0; i < size && m_triangle_of[f] < 0; ++i)
       {
         const Id t = first + (hint + i) % size;
@@ -181,7 +203,8 @@ protected:
     return off.empty();
   }
 
-  // Finds for every side of the result the side next to it on the input: within a triangle, or across an edge that glues.
+  // Finds for every side of the result the side next to it on the input: within a triangle, or across an edge that
+  // glues.
   void check_subdivision()
   {
     const Id faces = static_cast<Id>(m_result.faces.size()), triangles = static_cast<Id>(m_in.triangles.size());
@@ -199,7 +222,8 @@ protected:
       for (auto a = i; a != j; ++a)
         for (auto b = std::next(a); b != j; ++b)
         {
-          const bool inside = input_side[*a] < 0 && input_side[*b] < 0 && m_triangle_of[*a / 3] == m_triangle_of[*b / 3];
+          const bool inside =
+            input_side[*a] < 0 && input_side[*b] < 0 && m_triangle_of[*a / 3] == m_triangle_of[*b / 3];
           const bool across = input_side[*a] >= 0 && input_side[*b] >= 0 && m_in.twin[input_side[*a]] == input_side[*b];
           if (!inside && !across) { continue; }
           if (m_mate[*a] >= 0 || m_mate[*b] >= 0) { broken.push_back(*a / 3); }
@@ -211,7 +235,8 @@ protected:
     for (Id s = 0; s < 3 * faces; ++s)
       if (m_mate[s] < 0 && (input_side[s] < 0 || m_in.twin[input_side[s]] >= 0)) { holes.push_back(s / 3); }
 
-    // The parts of each triangle: connected, Euler characteristic 1, and each side of the triangle divided from end to end.
+    // The parts of each triangle: connected, Euler characteristic 1, and each side of the triangle divided from end to
+    // end.
     std::vector<Id> begin(triangles + 1, 0), order(faces);
     for (Id t : m_triangle_of) { ++begin[t + 1]; }
     std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -221,7 +246,12 @@ protected:
     for (Id s = 0; s < 3 * faces; ++s)
       if (input_side[s] < 0 && m_mate[s] >= 0) { parts.join(s / 3, m_mate[s] / 3); }
     std::vector<Id> corners;
-    struct Part { int side; double from, to; Id first, last; };
+    struct Part
+    {
+      int side;
+      double from, to;
+      Id first, last;
+    };
     std::vector<Part> rim;
     std::vector<int> kept(m_report.components.size(), 0); // faces as in the input, less those turned over
     for (Id t = 0; t < triangles; ++t)
@@ -236,9 +266,14 @@ protected:
         {
           is_disc = is_disc && parts.find(s / 3) == parts.find(order[begin[t]]);
           corners.push_back(root(corner(s)));
-          if (input_side[s] < 0) { ++inner; continue; }
+          if (input_side[s] < 0)
+          {
+            ++inner;
+            continue;
+          }
           const int k = input_side[s] % 3;
-          Part p{k, along(corner(s), t, k), along(corner(next_side(s)), t, k), root(corner(s)), root(corner(next_side(s)))};
+          Part p{k, along(corner(s), t, k), along(corner(next_side(s)), t, k), root(corner(s)),
+                 root(corner(next_side(s)))};
           rim.push_back(p);
         }
       const bool forward = rim.empty() || rim.front().from < rim.front().to;
@@ -246,13 +281,22 @@ protected:
       for (Part& p : rim)
       {
         if ((p.from < p.to) != forward) { turned.push_back(order[begin[t]]); }
-        if (!(p.from < p.to)) { std::swap(p.from, p.to); std::swap(p.first, p.last); }
+        if (!(p.from < p.to))
+        {
+          std::swap(p.from, p.to);
+          std::swap(p.first, p.last);
+        }
       }
-      std::sort(rim.begin(), rim.end(), [](const Part& a, const Part& b) { return a.side != b.side ? a.side < b.side : a.from < b.from; });
+      std::sort(rim.begin(), rim.end(),
+                [](const Part& a, const Part& b) { return a.side != b.side ? a.side < b.side : a.from < b.from; });
       for (std::size_t i = 0; i < rim.size(); ++i)
       {
-        const bool first = i == 0 || rim[i - 1].side != rim[i].side, last = i + 1 == rim.size() || rim[i + 1].side != rim[i].side;
-        if (first ? rim[i].first != m_in.triangles[t][rim[i].side] : rim[i].first != rim[i - 1].last) { is_disc = false; }
+        const bool first = i == 0 || rim[i - 1].side != rim[i].side,
+                   last = i + 1 == rim.size() || rim[i + 1].side != rim[i].side;
+        if (first ? rim[i].first != m_in.triangles[t][rim[i].side] : rim[i].first != rim[i - 1].last)
+        {
+          is_disc = false;
+        }
         if (last && rim[i].last != m_in.triangles[t][(rim[i].side + 1) % 3]) { is_disc = false; }
         if (!(rim[i].from < rim[i].to)) { is_disc = false; }
       }
@@ -263,7 +307,10 @@ protected:
       if (!is_disc) { broken.push_back(order[begin[t]]); }
     }
     std::vector<Id> turned_over;
-    for (std::size_t i = 0; i < kept.size(); ++i) { if (kept[i] < 0) { turned_over.push_back(static_cast<Id>(i)); } }
+    for (std::size_t i = 0; i < kept.size(); ++i)
+    {
+      if (kept[i] < 0) { turned_over.push_back(static_cast<Id>(i)); }
+    }
     fail("components are turned over", turned_over);
     fail("faces are turned against their neighbours", turned);
     fail("faces lack a neighbour that the input has", holes);
@@ -283,16 +330,24 @@ protected:
   {
     const Id faces = static_cast<Id>(m_result.faces.size()), vertices = static_cast<Id>(m_result.points.size());
     for (const auto& face : m_result.faces)
-      for (Id v : face) { if (v < 0 || v >= vertices) { return; } } // refused before this is used
+      for (Id v : face)
+      {
+        if (v < 0 || v >= vertices) { return; }
+      } // refused before this is used
     m_result_twin.assign(3 * static_cast<std::size_t>(faces), -1);
-    for_each_edge(3 * faces, vertices, [&](Id s) { return std::make_pair(corner(s), corner(next_side(s))); }, [&](auto i, auto j) {
-      if (j - i > 2) { for (auto s = i; s != j; ++s) { m_crowded.push_back(*s / 3); } }
-      if (j - i != 2) { return; }
-      const Id a = *i, b = *(i + 1);
-      if (corner(a) == corner(b)) { m_against.push_back(b / 3); }
-      m_result_twin[a] = b;
-      m_result_twin[b] = a;
-    });
+    for_each_edge(
+      3 * faces, vertices, [&](Id s) { return std::make_pair(corner(s), corner(next_side(s))); },
+      [&](auto i, auto j) {
+        if (j - i > 2)
+        {
+          for (auto s = i; s != j; ++s) { m_crowded.push_back(*s / 3); }
+        }
+        if (j - i != 2) { return; }
+        const Id a = *i, b = *(i + 1);
+        if (corner(a) == corner(b)) { m_against.push_back(b / 3); }
+        m_result_twin[a] = b;
+        m_result_twin[b] = a;
+      });
   }
 
   // Shared edges and seams are exactly the edges of the input's subdivision that are not on its boundary.
@@ -304,7 +359,11 @@ protected:
     for (std::size_t i = 0; i < m_result.seams.size(); ++i)
     {
       const auto [a, b] = m_result.seams[i];
-      if (a == b || seam[a] >= 0 || seam[b] >= 0) { repeated.push_back(static_cast<Id>(i)); continue; }
+      if (a == b || seam[a] >= 0 || seam[b] >= 0)
+      {
+        repeated.push_back(static_cast<Id>(i));
+        continue;
+      }
       seam[a] = b;
       seam[b] = a;
       if (m_result_twin[a] >= 0 || m_result_twin[b] >= 0) { superfluous.push_back(static_cast<Id>(i)); }
@@ -313,7 +372,10 @@ protected:
     std::vector<Id> wrong_neighbours;
     for (Id s = 0; s < 3 * faces; ++s)
     {
-      if (m_result_twin[s] >= 0) { if (m_result_twin[s] != m_mate[s]) { wrong_neighbours.push_back(s / 3); } }
+      if (m_result_twin[s] >= 0)
+      {
+        if (m_result_twin[s] != m_mate[s]) { wrong_neighbours.push_back(s / 3); }
+      }
       else if (m_mate[s] >= 0 && seam[s] < 0) { unlisted.push_back(s / 3); }
     }
     fail("faces share an edge with two or more others", m_crowded);
@@ -326,7 +388,10 @@ protected:
 
     const int components = static_cast<int>(m_report.components.size());
     std::vector<Id> glued(m_result_twin);
-    for (Id s = 0; s < 3 * faces; ++s) { if (glued[s] < 0) { glued[s] = seam[s]; } }
+    for (Id s = 0; s < 3 * faces; ++s)
+    {
+      if (glued[s] < 0) { glued[s] = seam[s]; }
+    }
     Union_find fans(3 * static_cast<std::size_t>(faces));
     for (Id s = 0; s < 3 * faces; ++s)
       if (glued[s] > s)
@@ -334,17 +399,27 @@ protected:
         fans.join(s, next_side(glued[s]));
         fans.join(next_side(s), glued[s]);
       }
-    const Counts c = count_glued(faces, glued, components, [&](Id f) { return component(f); }, fans);
+    const Counts c = count_glued(
+      faces, glued, components, [&](Id f) { return component(f); }, fans);
     std::vector<Id> different, mislabelled;
     for (int i = 0; i < components; ++i)
     {
       Component_count& count = m_report.components[i];
       count.glued_euler_characteristic = c.vertices[i] - c.edges[i] + c.faces[i];
       count.glued_boundary_loops = c.loops[i];
-      if (count.glued_euler_characteristic != count.euler_characteristic || count.glued_boundary_loops != count.boundary_loops) { different.push_back(i); }
+      if (count.glued_euler_characteristic != count.euler_characteristic
+          || count.glued_boundary_loops != count.boundary_loops)
+      {
+        different.push_back(i);
+      }
     }
-    for (Id f = 0; f < faces; ++f) { if (m_result.component_of[f] != component(f)) { mislabelled.push_back(f); } }
-    fail("components have another Euler characteristic or number of boundary loops than the input once the seams are glued", different);
+    for (Id f = 0; f < faces; ++f)
+    {
+      if (m_result.component_of[f] != component(f)) { mislabelled.push_back(f); }
+    }
+    fail("components have another Euler characteristic or number of boundary loops than the input once the seams are "
+         "glued",
+         different);
     fail("faces are said to lie in a component that they do not lie in", mislabelled);
   }
 

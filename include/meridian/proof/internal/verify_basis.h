@@ -16,18 +16,22 @@ namespace verification {
 // A matrix of integers, by its rows' entries that are not zero.
 using Integer_row = std::map<Id, boost::multiprecision::cpp_int>;
 
-// Whether the determinant of a square matrix is 1 or -1. Elimination over the integers: within a column rows are reduced by
-// the smallest entry until one is left (Euclid), which must be a unit.
+// Whether the determinant of a square matrix is 1 or -1. Elimination over the integers: within a column rows are
+// reduced by the smallest entry until one is left (Euclid), which must be a unit.
 inline bool is_unimodular(std::vector<Integer_row> rows, Id columns)
 {
   if (static_cast<Id>(rows.size()) != columns) { return false; }
   std::vector<std::set<Id>> rows_of(columns);
-  for (Id r = 0; r < columns; ++r) { for (const auto& [c, value] : rows[r]) { rows_of[c].insert(r); } }
+  for (Id r = 0; r < columns; ++r)
+  {
+    for (const auto& [c, value] : rows[r]) { rows_of[c].insert(r); }
+  }
   std::set<std::pair<std::size_t, Id>> order; // columns by how many rows they have
   for (Id c = 0; c < columns; ++c) { order.insert({rows_of[c].size(), c}); }
   const auto enter = [&](Id c, Id r, bool add) {
     order.erase({rows_of[c].size(), c});
-    if (add) { rows_of[c].insert(r); } else { rows_of[c].erase(r); }
+    if (add) { rows_of[c].insert(r); }
+    else { rows_of[c].erase(r); }
     order.insert({rows_of[c].size(), c});
   };
   while (!order.empty())
@@ -72,15 +76,17 @@ inline bool is_unimodular(std::vector<Integer_row> rows, Id columns)
   return true;
 }
 
-// First homology of one component by a spanning tree of its vertices and one of its faces (and of the outside, if it has a
-// boundary) that crosses no edge of the first. Each edge in neither has a loop through faces that crosses it; the class
-// of a closed walk counts how often it crosses these loops.
+// First homology of one component by a spanning tree of its vertices and one of its faces (and of the outside, if it
+// has a boundary) that crosses no edge of the first. Each edge in neither has a loop through faces that crosses it; the
+// class of a closed walk counts how often it crosses these loops.
 class Tree_cotree
 {
 public:
-  // `faces`: those of the component; `local`: the place of each among them; `twin` and `corner` speak of all sides of the mesh.
+  // `faces`: those of the component; `local`: the place of each among them; `twin` and `corner` speak of all sides of
+  // the mesh.
   template <class Corner>
-  Tree_cotree(const std::vector<Id>& faces, const std::vector<Id>& local, const std::vector<Id>& twin, Id vertices, const Corner& corner)
+  Tree_cotree(const std::vector<Id>& faces, const std::vector<Id>& local, const std::vector<Id>& twin, Id vertices,
+              const Corner& corner)
     : m_local(local), m_twin(twin), m_outside(static_cast<Id>(faces.size()))
   {
     bool is_closed = true;
@@ -97,14 +103,23 @@ public:
     {
       if (twin[s] > s) { continue; } // an edge counts with its higher side
       const Id a = corner(s), b = corner(next_side(s));
-      if (tree.find(a) != tree.find(b)) { tree.join(a, b); continue; }
+      if (tree.find(a) != tree.find(b))
+      {
+        tree.join(a, b);
+        continue;
+      }
       rest.push_back(s);
     }
-    std::vector<std::vector<std::pair<Id, Id>>> dual(faces.size() + 1); // of a face: the side of the neighbour, and the neighbour
+    // of a face: the side of the neighbour, and the neighbour
+    std::vector<std::vector<std::pair<Id, Id>>> dual(faces.size() + 1);
     for (Id s : rest)
     {
       const Id f = local[s / 3], g = place(twin[s]);
-      if (cotree.find(f) == cotree.find(g)) { m_edges.push_back(s); continue; }
+      if (cotree.find(f) == cotree.find(g))
+      {
+        m_edges.push_back(s);
+        continue;
+      }
       cotree.join(f, g);
       dual[g].emplace_back(s, f);
       dual[f].emplace_back(twin[s], g);
@@ -114,7 +129,11 @@ public:
     m_enter.resize(faces.size() + 1);
     m_leave.resize(faces.size() + 1);
     m_is_down.assign(3 * faces.size(), 0);
-    struct Visit { Id face, parent; std::size_t next; };
+    struct Visit
+    {
+      Id face, parent;
+      std::size_t next;
+    };
     std::vector<Visit> stack{{root, -1, 0}};
     Id time = 0;
     m_enter[root] = time++;
@@ -187,9 +206,9 @@ private:
   const std::vector<Id>& m_local;
   const std::vector<Id>& m_twin;
   Id m_outside;
-  std::vector<Id> m_edges;            // in neither tree
-  std::vector<char> m_is_down;        // for each side of the faces, whether the cotree comes down through it
-  std::vector<Id> m_enter, m_leave;   // of each face on the tour
+  std::vector<Id> m_edges;          // in neither tree
+  std::vector<char> m_is_down;      // for each side of the faces, whether the cotree comes down through it
+  std::vector<Id> m_enter, m_leave; // of each face on the tour
 };
 
 } // namespace verification

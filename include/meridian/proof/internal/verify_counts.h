@@ -36,8 +36,7 @@ private:
 };
 
 // Calls f(first, last) for each group of sides with the same two ends; sides with an end below 0 are left out.
-template <class Ends, class Function>
-void for_each_edge(Id sides, Id vertices, const Ends& ends, Function f)
+template <class Ends, class Function> void for_each_edge(Id sides, Id vertices, const Ends& ends, Function f)
 {
   std::vector<Id> begin(vertices + 1, 0), bucket(sides), high(sides, -1);
   for (Id s = 0; s < sides; ++s)
@@ -68,12 +67,16 @@ void for_each_edge(Id sides, Id vertices, const Ends& ends, Function f)
 }
 
 // Euler characteristics and boundary loops of triangles glued along `twin`, by classes of faces.
-struct Counts { std::vector<int> vertices, edges, faces, loops; };
+struct Counts
+{
+  std::vector<int> vertices, edges, faces, loops;
+};
 
 template <class Class_of>
 Counts count_glued(Id faces, const std::vector<Id>& twin, int classes, const Class_of& class_of, Union_find& fans)
 {
-  Counts c{std::vector<int>(classes, 0), std::vector<int>(classes, 0), std::vector<int>(classes, 0), std::vector<int>(classes, 0)};
+  Counts c{std::vector<int>(classes, 0), std::vector<int>(classes, 0), std::vector<int>(classes, 0),
+           std::vector<int>(classes, 0)};
   Union_find loops(3 * static_cast<std::size_t>(faces));
   std::vector<char> is_on_boundary(3 * static_cast<std::size_t>(faces), 0);
   for (Id s = 0; s < 3 * faces; ++s)

@@ -3,8 +3,8 @@
 #define MERIDIAN_SURFACE_INTERNAL_SOUP_TOPOLOGY_H
 
 #include <meridian/base/Polygon_soup.h>
-#include <meridian/surface/Triangle_surface.h>
 #include <meridian/base/list_elements.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <cmath>
 #include <numeric>
@@ -19,8 +19,8 @@ struct Soup_topology
   std::vector<std::array<Index, 3>> triangles;
   std::vector<Index> index, polygon; // of each triangle in the soup
   std::vector<char> is_flipped;
-  std::vector<Index> twin;                        // the side glued to each side, or -1
-  std::vector<std::vector<Index>> crowded;        // sides of the edges with three or more faces
+  std::vector<Index> twin;                 // the side glued to each side, or -1
+  std::vector<std::vector<Index>> crowded; // sides of the edges with three or more faces
 
   std::pair<Index, Index> ends(Index side) const
   {
@@ -39,7 +39,11 @@ inline void check_indices_and_points(const Polygon_soup& soup)
     for (std::size_t k = 0; k < soup.size(i); ++k)
     {
       const std::int32_t v = soup.corner(i, k);
-      if (v < 0 || v >= static_cast<Index>(soup.points.size())) { is_bad = true; continue; }
+      if (v < 0 || v >= static_cast<Index>(soup.points.size()))
+      {
+        is_bad = true;
+        continue;
+      }
       seen[v] = 1;
     }
     if (is_bad) { bad.push_back(static_cast<Index>(i)); }
@@ -52,8 +56,9 @@ inline void check_indices_and_points(const Polygon_soup& soup)
     if (seen[v] && !(is_usable(soup.points[v][0]) && is_usable(soup.points[v][1]) && is_usable(soup.points[v][2])))
       not_finite.push_back(static_cast<Index>(v));
   if (!not_finite.empty())
-    throw Invalid_input_error(list_elements("vertices of faces have a coordinate that is not a finite number, or beyond 1e300", not_finite)
-                              + "; give them positions, or remove their faces");
+    throw Invalid_input_error(
+      list_elements("vertices of faces have a coordinate that is not a finite number, or beyond 1e300", not_finite)
+      + "; give them positions, or remove their faces");
 }
 
 // Divides extreme coordinates by a power of two, exactly but for those that vanish beside the largest; returns it.
@@ -94,9 +99,18 @@ inline Soup_topology gather_triangles(const Polygon_soup& soup, std::vector<std:
     is_used[a] = is_used[b] = is_used[c] = 1;
   });
   t.is_flipped.assign(t.triangles.size(), 0);
-  for (std::size_t v = 0; v < is_used.size(); ++v) { if (!is_used[v]) { unused.push_back(static_cast<Index>(v)); } }
-  if (!divided.empty()) { repairs.push_back(list_elements("polygons divided into triangles, by a fan from the lowest vertex", divided)); }
-  if (!dropped.empty()) { repairs.push_back(list_elements("faces left out, which repeat a vertex or have fewer than three", dropped)); }
+  for (std::size_t v = 0; v < is_used.size(); ++v)
+  {
+    if (!is_used[v]) { unused.push_back(static_cast<Index>(v)); }
+  }
+  if (!divided.empty())
+  {
+    repairs.push_back(list_elements("polygons divided into triangles, by a fan from the lowest vertex", divided));
+  }
+  if (!dropped.empty())
+  {
+    repairs.push_back(list_elements("faces left out, which repeat a vertex or have fewer than three", dropped));
+  }
   if (!unused.empty()) { repairs.push_back(list_elements("vertices kept that no face uses", unused)); }
   return t;
 }
@@ -194,16 +208,20 @@ inline void orient(Soup_topology& t, std::vector<std::string>& repairs)
         for (Index side : {a, b, 3 * g + 1})
           if (t.twin[side] >= 0 && t.twin[side] / 3 != g) { t.twin[t.twin[side]] = side; }
         for (auto& sides : t.crowded)
-          for (Index& side : sides) { if (side == a || side == b) { side = a + b - side; } }
+          for (Index& side : sides)
+          {
+            if (side == a || side == b) { side = a + b - side; }
+          }
       }
   }
   if (!conflicts.empty())
   {
     std::sort(conflicts.begin(), conflicts.end());
     conflicts.erase(std::unique(conflicts.begin(), conflicts.end()), conflicts.end());
-    throw Invalid_input_error("the surface is not orientable (" + std::to_string(one_sided) + " component"
-                              + (one_sided == 1 ? "" : "s") + " like a Moebius strip or Klein bottle): walking over the surface changes sides at "
-                              + list_elements("faces", conflicts) + "; only orientable surfaces have meridians. Cut it open first");
+    throw Invalid_input_error(
+      "the surface is not orientable (" + std::to_string(one_sided) + " component" + (one_sided == 1 ? "" : "s")
+      + " like a Moebius strip or Klein bottle): walking over the surface changes sides at "
+      + list_elements("faces", conflicts) + "; only orientable surfaces have meridians. Cut it open first");
   }
   if (!flipped.empty())
   {
@@ -213,14 +231,23 @@ inline void orient(Soup_topology& t, std::vector<std::string>& repairs)
   }
 }
 
-// Gives each fan of faces at a point a vertex of its own, and glues sides of crowded edges whose fans meet at both ends.
-inline void separate_fans(Soup_topology& t, std::size_t points, std::vector<Index>& added, std::vector<std::string>& repairs)
+// Gives each fan of faces at a point a vertex of its own, and glues sides of crowded edges whose fans meet at both
+// ends.
+inline void separate_fans(Soup_topology& t, std::size_t points, std::vector<Index>& added,
+                          std::vector<std::string>& repairs)
 {
   const Index corners = 3 * static_cast<Index>(t.triangles.size());
   std::vector<Index> fan(corners);
   std::iota(fan.begin(), fan.end(), Index(0));
-  const auto find = [&](Index c) { while (fan[c] != c) { c = fan[c] = fan[fan[c]]; } return c; };
-  const auto join = [&](Index a, Index b) { a = find(a); b = find(b); if (a != b) { fan[std::max(a, b)] = std::min(a, b); } };
+  const auto find = [&](Index c) {
+    while (fan[c] != c) { c = fan[c] = fan[fan[c]]; }
+    return c;
+  };
+  const auto join = [&](Index a, Index b) {
+    a = find(a);
+    b = find(b);
+    if (a != b) { fan[std::max(a, b)] = std::min(a, b); }
+  };
   const auto next = [](Index side) { return side % 3 == 2 ? side - 2 : side + 1; };
   for (Index side = 0; side < corners; ++side)
   {
@@ -234,7 +261,11 @@ inline void separate_fans(Soup_topology& t, std::size_t points, std::vector<Inde
   for (Index c = 0; c < corners; ++c)
   {
     const Index point = t.triangles[c / 3][c % 3];
-    if (find(c) != c) { vertex[c] = vertex[find(c)]; continue; }
+    if (find(c) != c)
+    {
+      vertex[c] = vertex[find(c)];
+      continue;
+    }
     if (keeper[point] < 0)
     {
       keeper[point] = c;
@@ -271,8 +302,9 @@ inline void separate_fans(Soup_topology& t, std::size_t points, std::vector<Inde
     }
   }
   if (!stuck.empty())
-    throw Invalid_input_error(list_elements("edges with three or more faces cannot be split, because the faces still share both ends", stuck)
-                              + "; remove the extra faces");
+    throw Invalid_input_error(
+      list_elements("edges with three or more faces cannot be split, because the faces still share both ends", stuck)
+      + "; remove the extra faces");
   if (!pinched.empty())
   {
     std::sort(pinched.begin(), pinched.end());

@@ -12,11 +12,24 @@
 namespace meridian {
 namespace internal {
 
-struct Edge_point { Index edge; double t; Index vertex; }; // a new vertex at fraction t of halfedge `edge`
-struct Chord { Index face; Index from, to; };              // two vertices on the rim of a face
+struct Edge_point
+{
+  Index edge;
+  double t;
+  Index vertex;
+}; // a new vertex at fraction t of halfedge `edge`
+struct Chord
+{
+  Index face;
+  Index from, to;
+}; // two vertices on the rim of a face
 
 // A corner of the polygon that a face becomes. `sides` has a bit for each side of the face it lies on.
-struct Rim_vertex { Index vertex; unsigned sides; };
+struct Rim_vertex
+{
+  Index vertex;
+  unsigned sides;
+};
 using Rim = std::vector<Rim_vertex>;
 using Triangles = std::vector<std::array<Index, 3>>;
 
@@ -35,7 +48,11 @@ inline void triangulate_part(const std::vector<Point>& points, const Rim& rim, T
 {
   const std::size_t n = rim.size();
   if (n < 3) { throw Internal_error("split_face: a chord joins neighbouring points of one side"); }
-  if (n == 3) { out.push_back({rim[0].vertex, rim[1].vertex, rim[2].vertex}); return; }
+  if (n == 3)
+  {
+    out.push_back({rim[0].vertex, rim[1].vertex, rim[2].vertex});
+    return;
+  }
   std::vector<double> best(n * n, 0);
   std::vector<std::size_t> choice(n * n, 0);
   for (std::size_t gap = 1; gap < n; ++gap)
@@ -43,7 +60,11 @@ inline void triangulate_part(const std::vector<Point>& points, const Rim& rim, T
     {
       const std::size_t j = i + gap;
       double& value = best[i * n + j];
-      if (gap == 1) { value = 2; continue; }
+      if (gap == 1)
+      {
+        value = 2;
+        continue;
+      }
       value = -1;
       const bool whole = i == 0 && j == n - 1; // the closing side is a side of the part, not a diagonal
       if (!whole && (rim[i].sides & rim[j].sides)) { continue; }
@@ -54,7 +75,11 @@ inline void triangulate_part(const std::vector<Point>& points, const Rim& rim, T
         const double s = std::min({shape(points[rim[i].vertex], points[rim[m].vertex], points[rim[j].vertex]),
                                    best[i * n + m], best[m * n + j]});
         const double quality = s > 0 ? s : 0; // also where a length overflowed
-        if (quality > value) { value = quality; choice[i * n + j] = m; }
+        if (quality > value)
+        {
+          value = quality;
+          choice[i * n + j] = m;
+        }
       }
     }
   if (best[n - 1] < 0) { throw Internal_error("split_face: a part of a face has no triangulation"); }
@@ -80,9 +105,16 @@ inline void split_part(const std::vector<Point>& points, const Rim& whole,
   {
     auto [rim, chords] = std::move(open.back());
     open.pop_back();
-    if (chords.empty()) { triangulate_part(points, rim, out); continue; }
+    if (chords.empty())
+    {
+      triangulate_part(points, rim, out);
+      continue;
+    }
     const auto place = [&rim = rim](Index v) {
-      for (std::size_t i = 0; i < rim.size(); ++i) { if (rim[i].vertex == v) { return i; } }
+      for (std::size_t i = 0; i < rim.size(); ++i)
+      {
+        if (rim[i].vertex == v) { return i; }
+      }
       throw Internal_error("split_face: two curves cross in a face");
     };
     const std::size_t a = place(chords.back().first), b = place(chords.back().second);
@@ -126,16 +158,29 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   const auto is_split = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
 
-  // Halfedges whose twins must be found again: those of the parts, and those of untouched neighbours. They belong together
-  // if they lie on one old edge, or inside one face, and have the same ends: two faces may share all their vertices.
-  struct Loose { Index place, low, high, halfedge; };
+  // Halfedges whose twins must be found again: those of the parts, and those of untouched neighbours. They belong
+  // together if they lie on one old edge, or inside one face, and have the same ends: two faces may share all their
+  // vertices.
+  struct Loose
+  {
+    Index place, low, high, halfedge;
+  };
   std::vector<Loose> loose;
   const auto loosen = [&](Index h, Index place) {
     loose.push_back({place, std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h)), h});
   };
-  struct Flag { Index from, to; };
+  struct Flag
+  {
+    Index from, to;
+  };
   std::vector<Flag> flags;
-  struct Parts { Index face; Triangles triangles; Rim rim; std::array<Index, 3> edges; };
+  struct Parts
+  {
+    Index face;
+    Triangles triangles;
+    Rim rim;
+    std::array<Index, 3> edges;
+  };
   std::vector<Parts> parts;
   for (Index f : faces)
   {
@@ -151,16 +196,26 @@ inline void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points
                                           [](const Edge_point& p, Index edge) { return p.edge < edge; });
       auto last = first;
       while (last != edge_points.end() && last->edge == e) { ++last; }
-      if (e == h) { for (auto p = first; p != last; ++p) { rim.push_back({p->vertex, side}); } }
-      else { for (auto p = last; p != first; --p) { rim.push_back({std::prev(p)->vertex, side}); } }
+      if (e == h)
+      {
+        for (auto p = first; p != last; ++p) { rim.push_back({p->vertex, side}); }
+      }
+      else
+      {
+        for (auto p = last; p != first; --p) { rim.push_back({std::prev(p)->vertex, side}); }
+      }
       if (s.seam[h]) // its parts stay seams
       {
-        for (std::size_t i = begin; i < rim.size(); ++i) { flags.push_back({rim[i].vertex, i + 1 < rim.size() ? rim[i + 1].vertex : s.target(h)}); }
+        for (std::size_t i = begin; i < rim.size(); ++i)
+        {
+          flags.push_back({rim[i].vertex, i + 1 < rim.size() ? rim[i + 1].vertex : s.target(h)});
+        }
       }
       if (o >= 0 && !is_split(s.face(o))) { loosen(o, e); }
     }
     std::vector<std::pair<Index, Index>> inside;
-    auto c = std::lower_bound(chords.begin(), chords.end(), f, [](const Chord& a, Index face) { return a.face < face; });
+    auto c =
+      std::lower_bound(chords.begin(), chords.end(), f, [](const Chord& a, Index face) { return a.face < face; });
     for (; c != chords.end() && c->face == f; ++c) { inside.emplace_back(c->from, c->to); }
     split_part(s.points, rim, inside, parts.back().triangles);
   }

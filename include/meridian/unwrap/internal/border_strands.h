@@ -14,10 +14,10 @@ namespace internal {
 // A part of the cut graph, or of the boundary, between two vertices where seams meet or end.
 struct Strand
 {
-  std::vector<Index> vertices;  // of the surface; the last is the first again on a boundary without seams
-  std::vector<double> along;    // where each vertex lies, from 0 to `steps`
+  std::vector<Index> vertices; // of the surface; the last is the first again on a boundary without seams
+  std::vector<double> along;   // where each vertex lies, from 0 to `steps`
   double length = 0;
-  int least = 1, steps = 0;     // of the grid
+  int least = 1, steps = 0; // of the grid
 };
 
 // One side of a strand on the border of the disc.
@@ -25,9 +25,9 @@ struct Border_side
 {
   Index strand = -1;
   bool is_reversed = false;
-  Index mate = -1;              // the other side; -1 on the boundary of the surface
-  std::vector<Index> vertices;  // of the disc, in the order of the strand
-  int start = 0;                // its first grid point
+  Index mate = -1;             // the other side; -1 on the boundary of the surface
+  std::vector<Index> vertices; // of the disc, in the order of the strand
+  int start = 0;               // its first grid point
 };
 
 struct Border_strands
@@ -38,15 +38,23 @@ struct Border_strands
 };
 
 // A grid point inside a strand.
-struct Strand_stop { Index strand; int step; };
+struct Strand_stop
+{
+  Index strand;
+  int step;
+};
 
-// Spaces the vertices of a strand by length. An edge counts at least a ten-thousandth of the mean, so that no two vertices coincide.
+// Spaces the vertices of a strand by length. An edge counts at least a ten-thousandth of the mean, so that no two
+// vertices coincide.
 inline void space_strand(const Triangle_surface& s, Strand& strand)
 {
   const std::size_t n = strand.vertices.size() - 1;
   std::vector<double> edges(n);
   strand.length = 0;
-  for (std::size_t i = 0; i < n; ++i) { strand.length += edges[i] = distance(s.points[strand.vertices[i]], s.points[strand.vertices[i + 1]]); }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    strand.length += edges[i] = distance(s.points[strand.vertices[i]], s.points[strand.vertices[i + 1]]);
+  }
   const double floor = strand.length > 0 ? 1e-4 * strand.length / static_cast<double>(n) : 1;
   double whole = 0;
   for (double& e : edges) { whole += e = std::max(e, floor); }
@@ -62,17 +70,22 @@ inline void find_least_steps(Border_strands& border)
   std::map<std::pair<Index, Index>, int> parallel;
   const auto ends = [](const Strand& s) { return std::minmax(s.vertices.front(), s.vertices.back()); };
   for (const Strand& s : border.strands) { ++parallel[ends(s)]; }
-  for (Strand& s : border.strands) { s.least = s.vertices.front() == s.vertices.back() ? 3 : parallel[ends(s)] > 1 ? 2 : 1; }
+  for (Strand& s : border.strands)
+  {
+    s.least = s.vertices.front() == s.vertices.back() ? 3 : parallel[ends(s)] > 1 ? 2 : 1;
+  }
 }
 
 // Takes the border of a disc apart.
-inline Border_strands gather_border(const Refined_surface& s, const Opened_surface& opened, const Triangle_surface& disc)
+inline Border_strands gather_border(const Refined_surface& s, const Opened_surface& opened,
+                                    const Triangle_surface& disc)
 {
   auto loops = boundary_loops(disc);
   const int characteristic = disc.number_of_vertices() - disc.number_of_edges() + disc.number_of_faces();
   if (loops.size() != 1 || characteristic != 1)
-    throw Invalid_input_error("a geometry image is made of a disc, but the surface has " + std::to_string(loops.size()) + " borders and Euler characteristic "
-                              + std::to_string(characteristic) + " after it is cut");
+    throw Invalid_input_error("a geometry image is made of a disc, but the surface has " + std::to_string(loops.size())
+                              + " borders and Euler characteristic " + std::to_string(characteristic)
+                              + " after it is cut");
   std::vector<Index>& loop = loops.front();
   const Index n = s.number_of_vertices();
   const auto below = [&](Index v) { return v < n ? v : opened.copy_of[v - n]; };
@@ -97,8 +110,7 @@ inline Border_strands gather_border(const Refined_surface& s, const Opened_surfa
   {
     const Index h = loop[i], side = static_cast<Index>(border.sides.size());
     Border_side& b = border.sides.emplace_back();
-    do
-    {
+    do {
       side_of[loop[i]] = side;
       b.vertices.push_back(disc.source(loop[i]));
       ++i;
@@ -113,7 +125,10 @@ inline Border_strands gather_border(const Refined_surface& s, const Opened_surfa
       b.strand = border.sides[b.mate].strand;
       b.is_reversed = true;
       std::reverse(b.vertices.begin(), b.vertices.end());
-      if (b.vertices.size() != border.strands[b.strand].vertices.size()) { throw Internal_error("square_border: the sides of a seam differ"); }
+      if (b.vertices.size() != border.strands[b.strand].vertices.size())
+      {
+        throw Internal_error("square_border: the sides of a seam differ");
+      }
       continue;
     }
     b.strand = static_cast<Index>(border.strands.size());
@@ -125,7 +140,8 @@ inline Border_strands gather_border(const Refined_surface& s, const Opened_surfa
   return border;
 }
 
-// Shares `total` out by length: as many as its part, rounded so that the largest remainders go up, and never fewer than the least.
+// Shares `total` out by length: as many as its part, rounded so that the largest remainders go up, and never fewer than
+// the least.
 inline void share_out(std::vector<Strand*> strands, int total)
 {
   for (bool was_fixed = true; was_fixed;)
@@ -133,15 +149,26 @@ inline void share_out(std::vector<Strand*> strands, int total)
     was_fixed = false;
     double length = 0;
     for (const Strand* s : strands) { length += s->length; }
-    const auto share = [&](const Strand* s) { return length > 0 ? total * (s->length / length) : total / static_cast<double>(strands.size()); };
+    const auto share = [&](const Strand* s) {
+      return length > 0 ? total * (s->length / length) : total / static_cast<double>(strands.size());
+    };
     std::vector<Strand*> rest;
     int left = total;
     for (Strand* s : strands)
     {
-      if (share(s) < s->least) { left -= s->steps = s->least; was_fixed = true; }
+      if (share(s) < s->least)
+      {
+        left -= s->steps = s->least;
+        was_fixed = true;
+      }
       else { rest.push_back(s); }
     }
-    if (was_fixed && !rest.empty()) { strands = rest; total = left; continue; }
+    if (was_fixed && !rest.empty())
+    {
+      strands = rest;
+      total = left;
+      continue;
+    }
     std::vector<std::pair<double, std::size_t>> remainders;
     for (std::size_t i = 0; i < rest.size(); ++i)
     {
@@ -150,7 +177,10 @@ inline void share_out(std::vector<Strand*> strands, int total)
       left -= rest[i]->steps;
     }
     std::sort(remainders.begin(), remainders.end());
-    for (std::size_t i = 0; left > 0; ++i, --left) { ++(rest.empty() ? strands[i % strands.size()] : rest[remainders[i % rest.size()].second])->steps; }
+    for (std::size_t i = 0; left > 0; ++i, --left)
+    {
+      ++(rest.empty() ? strands[i % strands.size()] : rest[remainders[i % rest.size()].second])->steps;
+    }
     was_fixed = false;
   }
 }
@@ -158,7 +188,10 @@ inline void share_out(std::vector<Strand*> strands, int total)
 inline std::array<std::vector<Strand*>, 2> boundary_and_seams(Border_strands& border)
 {
   std::array<std::vector<Strand*>, 2> kinds;
-  for (const Border_side& b : border.sides) { if (!b.is_reversed) { kinds[b.mate >= 0].push_back(&border.strands[b.strand]); } }
+  for (const Border_side& b : border.sides)
+  {
+    if (!b.is_reversed) { kinds[b.mate >= 0].push_back(&border.strands[b.strand]); }
+  }
   return kinds;
 }
 
@@ -167,7 +200,10 @@ inline int least_size(Border_strands& border)
 {
   std::array<int, 2> least{0, 0};
   const auto kinds = boundary_and_seams(border);
-  for (int k : {0, 1}) { for (const Strand* s : kinds[k]) { least[k] += s->least; } }
+  for (int k : {0, 1})
+  {
+    for (const Strand* s : kinds[k]) { least[k] += s->least; }
+  }
   return std::max(5, 1 + (least[0] + 2 * least[1] + 3) / 4);
 }
 
@@ -224,7 +260,8 @@ inline Index vertex_near(const std::vector<double>& along, double step)
 // The side that holds a grid point, and the step within it, from its start.
 inline std::pair<Index, int> side_at(const Border_strands& border, int point)
 {
-  const auto after = std::upper_bound(border.sides.begin(), border.sides.end(), point, [](int p, const Border_side& b) { return p < b.start; });
+  const auto after = std::upper_bound(border.sides.begin(), border.sides.end(), point,
+                                      [](int p, const Border_side& b) { return p < b.start; });
   const Index side = static_cast<Index>(after - border.sides.begin()) - 1;
   return {side, point - border.sides[side].start};
 }

@@ -13,11 +13,12 @@
 namespace meridian {
 namespace internal {
 
-// An upper bound of the largest eigenvalue of a symmetric positive semidefinite matrix, both triangles stored, and so of its 2-norm:
-// less than a thousandth more than the norm as a rule, never more than Gershgorin's bound.
+// An upper bound of the largest eigenvalue of a symmetric positive semidefinite matrix, both triangles stored, and so
+// of its 2-norm: less than a thousandth more than the norm as a rule, never more than Gershgorin's bound.
 //
-// The Lanczos method, from a fixed vector, gives a Ritz value and its residual. An eigenvalue lies that near, but a larger one may
-// have been missed. So a Cholesky factorization of bound * I - A decides; if there is none after some margin, Gershgorin's bound stands.
+// The Lanczos method, from a fixed vector, gives a Ritz value and its residual. An eigenvalue lies that near, but a
+// larger one may have been missed. So a Cholesky factorization of bound * I - A decides; if there is none after some
+// margin, Gershgorin's bound stands.
 inline double bound_spectral_norm(const Eigen::SparseMatrix<double>& a)
 {
   using Matrix = Eigen::SparseMatrix<double>;
@@ -44,7 +45,11 @@ inline double bound_spectral_norm(const Eigen::SparseMatrix<double>& a)
     const double value = solver.eigenvalues()[0], residual = (unit * x - value * x).norm() / x.norm();
     estimate = value + residual;
   }
-  catch (const std::exception&) { return gershgorin; } // Spectra's own: the small matrix of a subspace had no eigenvalues
+  // Spectra's own: the small matrix of a subspace had no eigenvalues
+  catch (const std::exception&)
+  {
+    return gershgorin;
+  }
   for (double margin : {1e-4, 1e-3, 1e-2})
   {
     const double bound = estimate * (1 + margin);

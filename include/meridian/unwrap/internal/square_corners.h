@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_UNWRAP_INTERNAL_SQUARE_CORNERS_H
 #define MERIDIAN_UNWRAP_INTERNAL_SQUARE_CORNERS_H
 
+#include <meridian/map/planar_map.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/unwrap/internal/border_strands.h>
-#include <meridian/map/planar_map.h>
 
 namespace meridian {
 namespace internal {
@@ -31,7 +31,10 @@ inline void turn_whole_border(const Triangle_surface& disc, Border_strands& bord
   const std::size_t n = strand.vertices.size() - 1;
   std::vector<double> angle(n), around(3 * n + 1); // three times around, so that every neighbour is there
   for (std::size_t i = 0; i < n; ++i) { angle[i] = angle_at(disc, side.vertices[i]); }
-  for (std::size_t i = 0; i <= 3 * n; ++i) { around[i] = strand.along[i % n] + strand.steps * static_cast<double>(i / n); }
+  for (std::size_t i = 0; i <= 3 * n; ++i)
+  {
+    around[i] = strand.along[i % n] + strand.steps * static_cast<double>(i / n);
+  }
   std::size_t best = 0;
   double least = 1e300;
   for (std::size_t i = 0; i < n; ++i)
@@ -94,7 +97,8 @@ inline int choose_corners(const Triangle_surface& disc, Border_strands& border, 
 using Divided_edges = std::map<std::pair<Index, Index>, std::vector<Index>>;
 
 // Gives every strand a vertex at each corner that lies inside it: moves one there, or divides an edge.
-inline Divided_edges divide_at_corners(const Triangle_surface& root, Refined_surface& s, Border_strands& border, int first_corner, int size)
+inline Divided_edges divide_at_corners(const Triangle_surface& root, Refined_surface& s, Border_strands& border,
+                                       int first_corner, int size)
 {
   std::vector<std::vector<int>> stops(border.strands.size());
   for (int j = 0; j < 4; ++j)
@@ -103,7 +107,14 @@ inline Divided_edges divide_at_corners(const Triangle_surface& root, Refined_sur
     const Border_side& side = border.sides[b];
     if (step > 0) { stops[side.strand].push_back(side.is_reversed ? border.strands[side.strand].steps - step : step); }
   }
-  struct Point_to_insert { Index strand; std::size_t place; int step; Index a, b; double t; };
+  struct Point_to_insert
+  {
+    Index strand;
+    std::size_t place;
+    int step;
+    Index a, b;
+    double t;
+  };
   std::vector<Point_to_insert> points;
   std::vector<Surface_curve> curves;
   for (std::size_t k = 0; k < stops.size(); ++k)
@@ -159,7 +170,8 @@ inline void insert_into_curve(const Divided_edges& divided, std::vector<Index>& 
   curve = std::move(longer);
 }
 
-// The point of the border of the unit square at `place` steps from the corner (0, 0), of 4 (size - 1). On a side one coordinate is exactly 0 or 1.
+// The point of the border of the unit square at `place` steps from the corner (0, 0), of 4 (size - 1). On a side one
+// coordinate is exactly 0 or 1.
 inline Plane_point point_on_square(double place, int size)
 {
   const double whole = size - 1;
@@ -175,7 +187,10 @@ inline Plane_point point_on_square(double place, int size)
 }
 
 // A bit for each side of the unit square that a point lies on.
-inline unsigned sides_of(const Plane_point& p) { return (p[0] == 0 ? 1u : 0u) | (p[0] == 1 ? 2u : 0u) | (p[1] == 0 ? 4u : 0u) | (p[1] == 1 ? 8u : 0u); }
+inline unsigned sides_of(const Plane_point& p)
+{
+  return (p[0] == 0 ? 1u : 0u) | (p[0] == 1 ? 2u : 0u) | (p[1] == 0 ? 4u : 0u) | (p[1] == 1 ? 8u : 0u);
+}
 
 } // namespace internal
 } // namespace meridian
