@@ -5,6 +5,7 @@
 #include <meridian/base/exceptions.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,6 +75,14 @@ public:
 /// \ingroup PkgMeridianProgress
 /// how long each stage took, in seconds.
 using Stage_times = std::vector<std::pair<Stage, double>>;
+
+/// \ingroup PkgMeridianProgress
+/// calls its second argument; the first is the stage. For clocks and observers.
+using Run_stage = std::function<void(Stage, const std::function<void()>&)>;
+
+/// \ingroup PkgMeridianProgress
+/// runs a stage that nobody watches.
+inline void run_unwatched(Stage, const std::function<void()>& work) { work(); }
 
 namespace internal {
 

@@ -219,8 +219,7 @@ inline void reshape_graph(const Triangle_surface& root, const Cut_options& optio
   for (auto* curves : {&cut.meridians, &cut.longitudes, &cut.flow_lines, &cut.links}) { curves->clear(); }
 }
 
-template <class SymmetricTraits, class GeneralTraits>
-std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m,
+inline std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m,
                                              const Cut_options& options, const Stage_runner& run, Disc_cut& cut)
 {
   Generators g;
@@ -232,7 +231,7 @@ std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const
   generator_options.levels = options.levels;
   generator_options.tighten = options.tightening != Tightening::NONE;
   generator_options.tightening = options.tighten_options;
-  const auto saddles = find_generators<SymmetricTraits, GeneralTraits>(root, m, generator_options, run, g);
+  const auto saddles = find_generators(root, m, generator_options, run, g);
   std::vector<Index> shared;
   for (const Generator_pair& pair : g.pairs)
   {
@@ -278,8 +277,6 @@ inline void cut_along_flow_lines(const Triangle_surface& root, const Ordered_sur
  * as meridians (or generators, or the flow lines of all saddles); the boundaries that this leaves are joined by a tree
  * of links. Other methods find a cut graph of edges. The graph may then be made shorter. A disc stays as it is.
  *
- * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
- *         mean-value weights
  * \param root the surface
  * \param options see there
  *
@@ -290,8 +287,7 @@ inline void cut_along_flow_lines(const Triangle_surface& root, const Ordered_sur
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */
-template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
-Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = Cut_options())
+inline Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = Cut_options())
 {
   Disc_cut cut;
   const internal::Stage_runner run{options.observer, cut.seconds};
@@ -315,16 +311,16 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
         const Closed_model g = make_closed_model(root);
         const Index source = options.source >= 0 ? options.source : g.representative[find_distant_nodes(root, g).first];
         field.values_name = "distance";
-        field.values = geodesic_distance<SymmetricTraits>(root, {source});
+        field.values = geodesic_distance(root, {source}, options.solvers.symmetric);
       });
-    const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, field, run);
+    const Ordered_surface m = order_surface(root, field, run);
     static_cast<Field_summary&>(cut) = summarize_field(root, m, field);
     switch (options.method)
     {
     case Cut_method::GEODESIC:
     case Cut_method::CONTOURS: internal::cut_along_contours(root, m, options, run, cut); break;
     case Cut_method::GENERATORS:
-      guides = internal::cut_along_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, cut);
+      guides = internal::cut_along_generators(root, m, options, run, cut);
       break;
     case Cut_method::MORSE: internal::cut_along_flow_lines(root, m, run, cut); break;
     default: break;
@@ -340,7 +336,7 @@ Disc_cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = 
     }
     if (options.link_domain == Link_domain::PLANE)
     {
-      cut.link_note = link_boundaries_in_plane<SymmetricTraits>(root, cut.surface, options.links.source, cut.links);
+      cut.link_note = link_boundaries_in_plane(root, cut.surface, options.links.source, cut.links, options.solvers.symmetric);
       cut.links_in_plane = cut.link_note.empty();
       if (cut.links_in_plane) { return; }
     }

@@ -33,9 +33,8 @@ namespace meridian {
  * \par Complexity
  * One factorization, and \f$ O(k \log k) \f$ for `k` boundary vertices and crossings.
  */
-template <class SymmetricTraits = Symmetric_solver_traits>
-std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surface& s, Index source,
-                                     std::vector<std::vector<Index>>& links)
+inline std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surface& s, Index source,
+                                     std::vector<std::vector<Index>>& links, Make_solver make_solver = make_symmetric_solver)
 {
   const Opened_surface opened = open_along(s);
   const Triangle_surface o = surface_of(s, opened);
@@ -51,7 +50,7 @@ std::string link_boundaries_in_plane(const Triangle_surface& root, Refined_surfa
   }
   if (source >= 0 && loop_of[source] < 0) { loop_of[source] = number_of_loops++; }
   if (number_of_loops < 2) { return ""; }
-  const Planar_embedding plane = embed_in_plane<SymmetricTraits>(o);
+  const Planar_embedding plane = embed_in_plane(o, make_solver);
   if (!plane.is_valid) { return "the planar embedding has faces turned over or without area in double precision"; }
 
   const auto segments = internal::spanning_segments(o, plane, loops, loop_of, number_of_loops);

@@ -2,46 +2,77 @@
 #ifndef MERIDIAN_FIELD_LAPLACE_SYSTEM_H
 #define MERIDIAN_FIELD_LAPLACE_SYSTEM_H
 
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/surface/Closed_model.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace meridian {
 namespace internal {
 
 // Dirichlet problems on sets of nodes of one graph.
-template <class SolverTraits> class Laplace_system
+class Laplace_system
 {
 public:
-  Laplace_system(const Closed_model& graph, const std::vector<double>& weights)
-    : m_graph(graph), m_weights(weights), m_row(graph.number_of_nodes, -1)
+  // `known(a, values)` writes the values at a node that is known, one a side.
+  using Known_values = std::function<void(Index, double*)>;
+  // `write(a, side, value)` receives a solution.
+  using Write = std::function<void(Index, int, double)>;
+
+  Laplace_system(const Closed_model& graph, const std::vector<double>& weights,
+                 Make_solver make_solver = make_symmetric_solver)
+    : m_graph(graph), m_weights(weights), m_make_solver(make_solver), m_row(graph.number_of_nodes, -1)
   {}
 
   const Closed_model& graph() const { return m_graph; }
 
   // Writes the solution at the nodes `unknown` to `x`; `known(a)` is the value at any other node next to them.
-  template <class Known> void solve(const std::vector<Index>& unknown, const Known& known, std::vector<double>& x)
+  void solve(const std::vector<Index>& unknown, const std::function<double(Index)>& known, std::vector<double>& x)
   {
-    solve<1>(
-      unknown, [&](Index a) { return std::array<double, 1>{known(a)}; },
+    solve(
+      unknown, 1, [&](Index a, double* value) { *value = known(a); },
       [&](Index a, int, double value) { x[a] = value; });
   }
 
-  // The same for several right-hand sides with one factorization; `write(a, i, value)` receives the solutions.
-  template <std::size_t Sides, class Known, class Write>
-  void solve(const std::vector<Index>& unknown, const Known& known, const Write& write)
+  // The same for several right-hand sides with one factorization.
+  void solve(const std::vector<Index>& unknown, int sides, const Known_values& known, const Write& write)
   {
     if (unknown.empty()) { return; }
     const std::size_t n = unknown.size();
-    for (std::size_t i = 0; i < n; ++i) { m_row[unknown[i]] = static_cast<Index>(i); }
-    using Vector = typename SolverTraits::Vector;
-    typename SolverTraits::Matrix a(n);
-    std::vector<Vector> right(Sides, Vector(n));
-    for (std::size_t i = 0; i < n; ++i)
+    std::vector<std::vector<double>> right(sides, std::vector<double>(n));
+    const Sparse_matrix a = assemble(unknown, known, right);
+    const auto solver = m_make_solver();
+    const bool is_factored = solver->factor(a);
+    std::vector<double> solution;
+    for (int k = 0; k < sides; ++k)
+    {
+      if (!is_factored || !solver->solve(right[k], solution))
+        throw Solver_error("the system of " + std::to_string(n)
+                           + " equations cannot be factorized; the symmetric positive weights are the safest");
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        if (!std::isfinite(solution[i]))
+          throw Solver_error(
+            "the solution of the system is not finite; the symmetric positive weights are the safest");
+        write(unknown[i], k, solution[i]);
+      }
+    }
+  }
+
+private:
+  Sparse_matrix assemble(const std::vector<Index>& unknown, const Known_values& known,
+                         std::vector<std::vector<double>>& right)
+  {
+    const Index n = static_cast<Index>(unknown.size());
+    for (Index i = 0; i < n; ++i) { m_row[unknown[i]] = i; }
+    Sparse_matrix a(n);
+    std::vector<double> sum(right.size()), value(right.size());
+    for (Index i = 0; i < n; ++i)
     {
       double diagonal = 0;
-      std::array<double, Sides> sum{};
+      std::fill(sum.begin(), sum.end(), 0);
       for (Index e = m_graph.begin[unknown[i]]; e < m_graph.begin[unknown[i] + 1]; ++e)
       {
         const double w = m_weights[m_graph.halfedge[e]];
@@ -49,39 +80,22 @@ public:
         diagonal += w;
         if (m_row[neighbor] >= 0)
         {
-          a.set_coef(i, m_row[neighbor], -w, true);
+          a.add(i, m_row[neighbor], -w);
           continue;
         }
-        const std::array<double, Sides> value = known(neighbor);
-        for (std::size_t k = 0; k < Sides; ++k) { sum[k] += w * value[k]; }
+        known(neighbor, value.data());
+        for (std::size_t k = 0; k < right.size(); ++k) { sum[k] += w * value[k]; }
       }
-      a.set_coef(i, i, diagonal, true);
-      for (std::size_t k = 0; k < Sides; ++k) { right[k][i] = sum[k]; }
+      a.add(i, i, diagonal);
+      for (std::size_t k = 0; k < right.size(); ++k) { right[k][i] = sum[k]; }
     }
     for (Index node : unknown) { m_row[node] = -1; }
-
-    SolverTraits solver;
-    double denominator = 1;
-    const bool is_factored = solver.factor(a, denominator);
-    for (std::size_t k = 0; k < Sides; ++k)
-    {
-      Vector solution(n);
-      if (!is_factored || !solver.linear_solver(right[k], solution))
-        throw Solver_error("the system of " + std::to_string(n)
-                           + " equations cannot be factorized; the symmetric positive weights are the safest");
-      for (std::size_t i = 0; i < n; ++i)
-      {
-        const double value = solution[i] / denominator;
-        if (!std::isfinite(value))
-          throw Solver_error("the solution of the system is not finite; the symmetric positive weights are the safest");
-        write(unknown[i], static_cast<int>(k), value);
-      }
-    }
+    return a;
   }
 
-private:
   const Closed_model& m_graph;
   const std::vector<double>& m_weights;
+  Make_solver m_make_solver;
   std::vector<Index> m_row; // the equation of a node, -1 where it is known
 };
 

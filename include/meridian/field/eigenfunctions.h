@@ -3,7 +3,7 @@
 #define MERIDIAN_FIELD_EIGENFUNCTIONS_H
 
 #include <meridian/field/internal/shifted_laplacian.h>
-#include <meridian/field/solver_traits.h>
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/surface/measures.h>
 
 #include <Spectra/SymEigsShiftSolver.h>
@@ -52,11 +52,11 @@ struct Eigenfunctions
  * surfaces do; so it starts again on the complement of what was found until nothing lower is left. Masses and weights
  * are brought to unit size before, so that units do not matter.
  *
- * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough
  * \param g the closed model, or another graph with weights on its edges
  * \param weights the weights `g.halfedge` refers to
  * \param mass one a node, as made by `node_areas()`
  * \param k how many functions to find beside the constant one
+ * \param make_solver makes the solver
  *
  * \returns `k + 1` eigenvalues and functions: \f$ \sum_i m_i x_i y_i \f$ is 1 for a function with itself and 0 for two
  *          different ones. Of each function the entry of largest magnitude (of all that come within a millionth of it,
@@ -70,16 +70,15 @@ struct Eigenfunctions
  * One factorization, \f$ O(n^{1.5}) \f$ for a surface mesh, and some 5 `k` to 10 `k` back-substitutions, \f$ O(n \log
  * n) \f$ each.
  */
-template <class SolverTraits = Symmetric_solver_traits>
-Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<double>& weights,
-                                   const std::vector<double>& mass, int k)
+inline Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<double>& weights,
+                                   const std::vector<double>& mass, int k, Make_solver make_solver = make_symmetric_solver)
 {
-  using Operator = internal::Shifted_laplacian<SolverTraits>;
+  using Operator = internal::Shifted_laplacian;
   const Index n = g.number_of_nodes;
   if (k < 1 || k >= n)
     throw Invalid_input_error("a closed model of " + std::to_string(n) + " nodes has no " + std::to_string(k)
                               + " eigenfunctions beside the constant one; ask for 1 to " + std::to_string(n - 1));
-  Operator laplacian(g, weights, mass);
+  Operator laplacian(g, weights, mass, make_solver);
 
   std::vector<std::pair<double, Eigen::VectorXd>> found; // by descending eigenvalues of the inverse
   const auto search = [&](Index count) { // appends the `count` highest eigenpairs on the complement of what was found

@@ -10,8 +10,7 @@ namespace meridian {
 
 namespace internal {
 
-template <class SolverTraits>
-Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& g, Weights weights, int k)
+inline Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& g, Weights weights, int k, Make_solver make_solver)
 {
   if (weights == Weights::MEAN_VALUE)
     throw Invalid_input_error("eigenfunctions need symmetric weights; mean-value weights are not: take positive, "
@@ -19,10 +18,10 @@ Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& 
   const std::vector<double> mass = node_areas(s, g);
   if (weights != Weights::INTRINSIC_DELAUNAY)
   {
-    return find_eigenfunctions<SolverTraits>(g, edge_weights(s, weights), mass, k);
+    return find_eigenfunctions(g, edge_weights(s, weights), mass, k, make_solver);
   }
   const Weighted_graph joined = make_intrinsic_delaunay_graph(s);
-  return find_eigenfunctions<SolverTraits>(joined.graph, joined.weights, mass, k);
+  return find_eigenfunctions(joined.graph, joined.weights, mass, k, make_solver);
 }
 
 } // namespace internal
@@ -35,20 +34,20 @@ Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& 
  * \param s the surface
  * \param i which one, from 1: the constant function is 0. The paper takes the genus + 1.
  * \param weights the discretization; not mean-value
+ * \param make_solver makes the solver
  * \pre `s` is connected
  * \throws Invalid_input_error if there is no such eigenfunction or the weights are not symmetric, Solver_error if it is
  *   not found
  * \par Complexity
  * One factorization, and some tens of back-substitutions for each eigenfunction
  */
-template <class SolverTraits = Symmetric_solver_traits>
-std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weights weights = Weights::POSITIVE)
+inline std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weights weights = Weights::POSITIVE, Make_solver make_solver = make_symmetric_solver)
 {
   const Closed_model g = make_closed_model(s);
   if (i < 1 || i >= g.number_of_nodes)
     throw Invalid_input_error("there is no eigenfunction " + std::to_string(i) + " of a surface of "
                               + std::to_string(g.number_of_nodes) + " nodes; count from 1");
-  const auto values = scaled_eigenfunction(internal::eigenfunctions_of<SolverTraits>(s, g, weights, i), i);
+  const auto values = scaled_eigenfunction(internal::eigenfunctions_of(s, g, weights, i, make_solver), i);
   std::vector<double> field;
   for (Index a : g.node) { field.push_back(values[a]); }
   return field;
@@ -62,18 +61,17 @@ std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weight
  * \param s the surface
  * \param functions how many eigenfunctions are looked at
  * \param weights the discretization; not mean-value
+ * \param make_solver makes the solver
  * \pre `s` is connected
  * \throws as `eigenfunction_field()`
  * \par Complexity
  * that of `eigenfunction_field()`
  */
-template <class SolverTraits = Symmetric_solver_traits>
-std::pair<Index, Index> find_curved_vertices(const Triangle_surface& s, int functions = 4,
-                                             Weights weights = Weights::POSITIVE)
+inline std::pair<Index, Index> find_curved_vertices(const Triangle_surface& s, int functions = 4,
+                                             Weights weights = Weights::POSITIVE, Make_solver make_solver = make_symmetric_solver)
 {
   const Closed_model g = make_closed_model(s);
-  const auto e = internal::eigenfunctions_of<SolverTraits>(
-    s, g, weights, std::min(functions, static_cast<int>(g.number_of_nodes) - 1));
+  const auto e = internal::eigenfunctions_of(s, g, weights, std::min(functions, static_cast<int>(g.number_of_nodes) - 1), make_solver);
   const auto [a, b] = find_curved_extrema(s, g, e);
   return {g.representative[a], g.representative[b]};
 }

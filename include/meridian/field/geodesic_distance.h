@@ -3,8 +3,9 @@
 #define MERIDIAN_FIELD_GEODESIC_DISTANCE_H
 
 #include <meridian/field/intrinsic_delaunay.h>
-#include <meridian/field/solver_traits.h>
+#include <meridian/field/Sparse_solver.h>
 
+#include <functional>
 #include <limits>
 #include <queue>
 #include <string>
@@ -14,10 +15,9 @@ namespace internal {
 
 // The system of an intrinsic triangulation on its vertices: `mass[v] x_v` plus `step` times the flow to the neighbours.
 // Vertices with `is_known` have the value 0 and no equation. `weight(w)` is what stands for a cotangent weight.
-template <class SolverTraits, class Weight>
-std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const std::vector<double>& mass, double step,
+inline std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const std::vector<double>& mass, double step,
                                       const std::vector<char>& is_known, const std::vector<double>& right,
-                                      const Weight& weight)
+                                      const std::function<double(double)>& weight, Make_solver make_solver)
 {
   const Index n = static_cast<Index>(mass.size());
   std::vector<Index> row(n, -1);
@@ -28,7 +28,7 @@ std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const st
   }
   std::vector<double> x(n, 0), diagonal = mass;
   if (rows == 0) { return x; }
-  typename SolverTraits::Matrix a(rows);
+  Sparse_matrix a(rows);
   for (Index h = 0; h < t.number_of_halfedges(); ++h)
   {
     const Index o = t.opposite[h];
@@ -39,23 +39,22 @@ std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const st
     diagonal[u] += w;
     diagonal[v] += w;
     if (row[u] < 0 || row[v] < 0) { continue; }
-    a.set_coef(row[u], row[v], -w, true);
-    a.set_coef(row[v], row[u], -w, true);
+    a.add(row[u], row[v], -w);
+    a.add(row[v], row[u], -w);
   }
-  typename SolverTraits::Vector b(rows), solution(rows);
+  std::vector<double> b(rows), solution;
   for (Index v = 0; v < n; ++v)
   {
     if (row[v] < 0) { continue; }
-    a.set_coef(row[v], row[v], diagonal[v], true);
+    a.add(row[v], row[v], diagonal[v]);
     b[row[v]] = right[v];
   }
-  SolverTraits solver;
-  double denominator = 1;
-  bool is_solved = solver.factor(a, denominator) && solver.linear_solver(b, solution);
+  const auto solver = make_solver();
+  bool is_solved = solver->factor(a) && solver->solve(b, solution);
   for (Index v = 0; v < n && is_solved; ++v)
   {
     if (row[v] < 0) { continue; }
-    x[v] = solution[row[v]] / denominator;
+    x[v] = solution[row[v]];
     is_solved = std::isfinite(x[v]);
   }
   if (!is_solved)
@@ -112,9 +111,9 @@ inline std::vector<double> edge_distances(const Intrinsic_triangulation& t, Inde
  * that heat would fall below the range of double at the far end, it is as much longer as is needed. Going along the
  * boundary is not free here: the distance is that of the surface, not of its closed model.
  *
- * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough
  * \param s the surface
  * \param sources vertices
+ * \param make_solver makes the solver of both systems
  * \pre the surface is connected
  * \throws Invalid_input_error if there is no source
  * \throws Solver_error if a system cannot be factorized or a distance is not finite
@@ -122,8 +121,7 @@ inline std::vector<double> edge_distances(const Intrinsic_triangulation& t, Inde
  * \par Complexity
  * Two factorizations, \f$ O(n^{1.5}) \f$ for a surface mesh. The error is of first order in the length of edges.
  */
-template <class SolverTraits = Symmetric_solver_traits>
-std::vector<double> geodesic_distance(const Triangle_surface& s, const std::vector<Index>& sources)
+inline std::vector<double> geodesic_distance(const Triangle_surface& s, const std::vector<Index>& sources, Make_solver make_solver = make_symmetric_solver)
 {
   if (sources.empty()) { throw Invalid_input_error("a distance needs at least one vertex to start from"); }
   const Index n = s.number_of_vertices();
@@ -162,8 +160,8 @@ std::vector<double> geodesic_distance(const Triangle_surface& s, const std::vect
   double reach = std::max(1., farthest / 1000);
   for (int attempt = 0; attempt == 0 || (attempt < 8 && *std::min_element(heat.begin(), heat.end()) < 1e-290);
        ++attempt, reach *= 2)
-    heat = internal::solve_on_vertices<SolverTraits>(t, mass, reach * reach, std::vector<char>(n, 0), right,
-                                                     [](double w) { return std::max(w, 0.); });
+    heat = internal::solve_on_vertices(t, mass, reach * reach, std::vector<char>(n, 0), right,
+                                                     [](double w) { return std::max(w, 0.); }, make_solver);
 
   std::fill(right.begin(), right.end(), 0);
   for_each_face([&](const std::array<Index, 3>& side) {
@@ -184,8 +182,8 @@ std::vector<double> geodesic_distance(const Triangle_surface& s, const std::vect
     if (!(size > 0)) { return; }
     for (int k = 0; k < 3; ++k) { right[t.source[side[k]]] += (x * turned[k][0] + y * turned[k][1]) / (2 * size); }
   });
-  std::vector<double> d = internal::solve_on_vertices<SolverTraits>(t, std::vector<double>(n, 0), 1, is_source, right,
-                                                                    [](double w) { return w; });
+  std::vector<double> d = internal::solve_on_vertices(t, std::vector<double>(n, 0), 1, is_source, right,
+                                                                    [](double w) { return w; }, make_solver);
   for (double& x : d) { x = unit * std::max(x, 0.); }
   return d;
 }

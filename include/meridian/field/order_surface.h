@@ -5,9 +5,11 @@
 #include <meridian/base/Progress_observer.h>
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/intrinsic_delaunay.h>
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/field/solve_harmonic_field.h>
 #include <meridian/surface/measures.h>
 
+#include <functional>
 #include <string>
 
 namespace meridian {
@@ -23,6 +25,7 @@ struct Field_options
   std::vector<double> values;
   bool one_maximum = false; ///< whether only the highest maximum is kept: descending lines leave one piece for each
   std::string values_name = "given"; ///< what `values` are, for reports
+  Solvers solvers; ///< the general one serves mean-value weights
 };
 
 /// \ingroup PkgMeridianOrder
@@ -131,8 +134,6 @@ inline void keep_one_maximum(const Ordered_surface& m, std::vector<Index>& minim
  *
  * solves a harmonic field, or takes the one that is given, orders the surface by it and makes all saddles simple.
  *
- * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
- *         mean-value weights
  * \param root the surface
  * \param options weights and extrema
  * \param run calls its second argument; the first is the stage. For clocks and observers.
@@ -144,8 +145,7 @@ inline void keep_one_maximum(const Ordered_surface& m, std::vector<Index>& minim
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */
-template <class SymmetricTraits, class GeneralTraits, class Run>
-Ordered_surface order_surface(const Triangle_surface& root, const Field_options& options, const Run& run)
+inline Ordered_surface order_surface(const Triangle_surface& root, const Field_options& options, const Run_stage& run)
 {
   Ordered_surface m;
   std::vector<Dirichlet_value> prescribed;
@@ -188,13 +188,11 @@ Ordered_surface order_surface(const Triangle_surface& root, const Field_options&
     if (options.weights == Weights::INTRINSIC_DELAUNAY)
     {
       const Weighted_graph joined = make_intrinsic_delaunay_graph(m.surface);
-      m.field = solve_harmonic_field<SymmetricTraits>(m.surface, m.graph, joined.graph, joined.weights, prescribed);
+      m.field = solve_harmonic_field(m.surface, m.graph, joined.graph, joined.weights, prescribed, options.solvers.symmetric);
       return;
     }
     const auto weights = edge_weights(m.surface, options.weights);
-    m.field = options.weights == Weights::MEAN_VALUE
-                ? solve_harmonic_field<GeneralTraits>(m.surface, m.graph, weights, prescribed)
-                : solve_harmonic_field<SymmetricTraits>(m.surface, m.graph, weights, prescribed);
+    m.field = solve_harmonic_field(m.surface, m.graph, weights, prescribed, options.weights == Weights::MEAN_VALUE ? options.solvers.general : options.solvers.symmetric);
   });
   run(Stage::ORDER, [&] {
     if (options.one_maximum && maxima.size() != 1) { internal::keep_one_maximum(m, minima, maxima); }

@@ -6,7 +6,7 @@
 #include <meridian/field/Scalar_field.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/field/internal/flat_regions.h>
-#include <meridian/field/solver_traits.h>
+#include <meridian/field/Sparse_solver.h>
 
 namespace meridian {
 
@@ -27,13 +27,12 @@ struct Dirichlet_value
  * handle, the field is solved again inside the region, from the values around it brought to scale, and so on inward:
  * a handle at the end of a long tube sees a field as smooth as any other.
  *
- * \tparam SolverTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; symmetric storage is enough unless
- *         the weights are mean-value
  * \param s the surface
  * \param g its closed model
  * \param joined the same nodes with the edges of the system: `g`, or an intrinsic triangulation
  * \param weights those `joined.halfedge` refers to
  * \param prescribed the values; each node at most once
+ * \param make_solver makes the solver; for mean-value weights one that is general
  *
  * \returns the field
  * \pre `prescribed` is not empty, the surface is connected, no edge joins a boundary loop to itself
@@ -43,9 +42,8 @@ struct Dirichlet_value
  * One assembly and one factorization, \f$ O(n^{1.5}) \f$ for a surface mesh; flat regions add one of their own size
  * each.
  */
-template <class SolverTraits = Symmetric_solver_traits>
-Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
-                                  const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed)
+inline Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
+                                  const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed, Make_solver make_solver = make_symmetric_solver)
 {
   Scalar_field field(g.number_of_nodes);
   std::vector<char> is_prescribed(g.number_of_nodes, 0);
@@ -67,7 +65,7 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model&
   {
     if (!is_prescribed[a]) { unknown.push_back(a); }
   }
-  internal::Laplace_system<SolverTraits> system(joined, weights);
+  internal::Laplace_system system(joined, weights, make_solver);
   system.solve(
     unknown, [&](Index a) { return field.value[a]; }, field.value);
   if (highest > lowest) { internal::solve_flat_regions(s, g, system, unknown, field); }
@@ -76,11 +74,10 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model&
 
 /// \ingroup PkgMeridianOrder
 /// the same with the edges of the surface and weights as made by `edge_weights()`, one a halfedge
-template <class SolverTraits = Symmetric_solver_traits>
-Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const std::vector<double>& weights,
-                                  const std::vector<Dirichlet_value>& prescribed)
+inline Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const std::vector<double>& weights,
+                                  const std::vector<Dirichlet_value>& prescribed, Make_solver make_solver = make_symmetric_solver)
 {
-  return solve_harmonic_field<SolverTraits>(s, g, g, weights, prescribed);
+  return solve_harmonic_field(s, g, g, weights, prescribed, make_solver);
 }
 
 } // namespace meridian

@@ -78,8 +78,7 @@ inline Index nearest_on_surface(const Triangle_surface& root, const Filled_surfa
 // Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the
 // second may be -1. If `crossings` is given, only the edges that the curves cross are written to it. If
 // `filled` is given, `m` orders that surface.
-template <class SymmetricTraits, class GeneralTraits>
-std::vector<std::pair<Index, Index>>
+inline std::vector<std::pair<Index, Index>>
 find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
                 const Stage_runner& run, Generators& g, std::vector<std::vector<Passing>>* crossings = nullptr,
                 const Filled_surface* filled = nullptr)
@@ -115,11 +114,11 @@ find_generators(const Triangle_surface& root, const Ordered_surface& m, const Ge
     }
   });
   run(Stage::LONGITUDES, [&] {
-    std::unique_ptr<Flow_longitudes<SymmetricTraits, GeneralTraits>> flow;
+    std::unique_ptr<Flow_longitudes> flow;
     if (options.flow && !filled)
     {
-      flow = std::make_unique<Flow_longitudes<SymmetricTraits, GeneralTraits>>(root, m, complex, curves, saddles,
-                                                                               options.tighten ? 1.02 : 1.25);
+      flow = std::make_unique<Flow_longitudes>(root, m, complex, curves, saddles,
+                                                                               options.tighten ? 1.02 : 1.25, options.solvers);
     }
     add_shortest_longitudes(curves, g.genus, run,
                             [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
@@ -194,8 +193,6 @@ find_generators(const Triangle_surface& root, const Ordered_surface& m, const Ge
  * With a free boundary, level lines may be arcs; one that is part of a meridian is closed along the boundary loops it
  * ends on.
  *
- * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`; the second serves
- *         mean-value weights
  * \param root the surface
  * \param options see there
  *
@@ -208,8 +205,7 @@ find_generators(const Triangle_surface& root, const Ordered_surface& m, const Ge
  * \par Complexity
  * One factorization, and for each handle a search as far as its longitude is long.
  */
-template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
-Generators find_generators(const Triangle_surface& root, const Generator_options& options = Generator_options())
+inline Generators find_generators(const Triangle_surface& root, const Generator_options& options = Generator_options())
 {
   Generators g;
   const internal::Stage_runner run{options.observer, g.seconds};
@@ -223,13 +219,13 @@ Generators find_generators(const Triangle_surface& root, const Generator_options
     if (options.is_open && g.boundary_loops > 0)
     {
       const Filled_surface filled = fill_boundary(root);
-      const Ordered_surface m = order_with_free_boundary<SymmetricTraits, GeneralTraits>(filled, options, run);
-      internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, g, nullptr, &filled);
+      const Ordered_surface m = order_with_free_boundary(filled, options, run);
+      internal::find_generators(root, m, options, run, g, nullptr, &filled);
     }
     else
     {
-      const Ordered_surface m = order_surface<SymmetricTraits, GeneralTraits>(root, options, run);
-      internal::find_generators<SymmetricTraits, GeneralTraits>(root, m, options, run, g);
+      const Ordered_surface m = order_surface(root, options, run);
+      internal::find_generators(root, m, options, run, g);
     }
   }
   g.smallest_angle_after = smallest_angle(g.surface);

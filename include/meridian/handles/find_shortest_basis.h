@@ -15,6 +15,7 @@ struct Basis_options
   int bases = 0;
   bool tighten = true;
   Tighten_options tightening;
+  Solvers solvers;
   Progress_observer* observer = nullptr;
 };
 
@@ -168,7 +169,6 @@ inline Surface_curve place_loop(const Refined_surface& s, const std::vector<Pass
  * independent modulo 2. So the determinant over the integers is odd; that it is 1 or -1 is for `verify_generators()` to
  * see. The curves may cross.
  *
- * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param root a connected surface
  * \param options see there
  * \returns the curves
@@ -176,8 +176,7 @@ inline Surface_curve place_loop(const Refined_surface& s, const std::vector<Pass
  * \par Complexity
  * \f$ O(b n \log n) \f$ for \f$ b \f$ faces, and the tightening of at most \f$ 8 g \f$ loops
  */
-template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
-Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_options& options = Basis_options())
+inline Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_options& options = Basis_options())
 {
   Homology_basis basis;
   const internal::Stage_runner run{options.observer, basis.seconds};
@@ -193,14 +192,15 @@ Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_opt
     // Meridians and longitudes are candidates too.
     Generator_options pair_options;
     pair_options.flow = false;
+    pair_options.solvers = options.solvers;
     pair_options.tighten = options.tighten;
     const Ordered_surface m =
-      order_surface<SymmetricTraits, GeneralTraits>(root, pair_options, [](Stage, const auto& work) { work(); });
+      order_surface(root, pair_options, run_unwatched);
     Generators pairs;
     pairs.genus = basis.genus;
     Stage_times ignored;
     std::vector<std::vector<internal::Passing>> crossings;
-    internal::find_generators<SymmetricTraits, GeneralTraits>(
+    internal::find_generators(
       root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
     loops = internal::find_dual_loops(
       root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted,

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_MAP_PARAMETERIZATION_H
 #define MERIDIAN_MAP_PARAMETERIZATION_H
 
-#include <meridian/field/solver_traits.h>
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/map/distortion.h>
 
 #include <functional>
@@ -68,6 +68,8 @@ struct Map_options
   /// `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
   std::vector<Plane_point> polygon = {};
   std::function<void(double)> progress = {}; ///< receives the part done; may throw to cancel
+  /// for `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
+  Make_solver make_solver = make_symmetric_solver;
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -107,7 +109,6 @@ struct Parameterization
  * weights changed until stretch is low; after a square, whose sides may hold all corners of a face, a circle, unless a
  * polygon is given.
  *
- * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
  * \param options see there
  *
@@ -117,7 +118,6 @@ struct Parameterization
  * One factorization for linear methods, two for each step of `ARAP`, and one of twice the size for each of
  * `SYMMETRIC_DIRICHLET`.
  */
-template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options = Map_options());
 
 } // namespace meridian

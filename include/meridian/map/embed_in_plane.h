@@ -25,7 +25,6 @@ struct Planar_embedding
  * is a disc. In exact arithmetic no face can be turned over; in double precision faces at the end of long tubes
  * underflow, which the exact orientation predicate tells.
  *
- * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param s the surface
  * \returns the embedding
  * \pre `s` has genus 0 and at least one boundary loop
@@ -33,7 +32,7 @@ struct Planar_embedding
  * \par Complexity
  * One factorization.
  */
-template <class SymmetricTraits = Symmetric_solver_traits> Planar_embedding embed_in_plane(const Triangle_surface& s)
+inline Planar_embedding embed_in_plane(const Triangle_surface& s, Make_solver make_solver = make_symmetric_solver)
 {
   const auto loops = boundary_loops(s);
   const auto length_of = [&](const std::vector<Index>& loop) {
@@ -64,8 +63,8 @@ template <class SymmetricTraits = Symmetric_solver_traits> Planar_embedding embe
   }
   connect(filled);
 
-  const auto at = map_into_polygon<SymmetricTraits>(filled, edge_weights(filled, Weights::POSITIVE), loops[outer],
-                                                    place_on_circle(places_along(s, loops[outer])));
+  const auto at = map_into_polygon(filled, edge_weights(filled, Weights::POSITIVE), loops[outer],
+                                                    place_on_circle(places_along(s, loops[outer])), make_solver);
   Planar_embedding embedding;
   for (const auto& p : at) { embedding.points.emplace_back(p[0], p[1]); }
   embedding.is_valid = find_flipped_faces(filled.triangles, at).empty();

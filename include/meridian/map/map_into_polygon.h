@@ -3,7 +3,7 @@
 #define MERIDIAN_MAP_MAP_INTO_POLYGON_H
 
 #include <meridian/field/Laplace_system.h>
-#include <meridian/field/solver_traits.h>
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/map/planar_map.h>
 #include <meridian/surface/Closed_model.h>
 
@@ -45,7 +45,6 @@ inline std::vector<Plane_point> place_on_circle(const std::vector<double>& place
  * With positive weights and no chord that joins two points of one side of the polygon, no face is turned over in exact
  * arithmetic.
  *
- * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
  * \param weights one for each halfedge, equal on twins, positive
  * \param loop the boundary, as halfedges
@@ -56,9 +55,8 @@ inline std::vector<Plane_point> place_on_circle(const std::vector<double>& place
  * \par Complexity
  * One factorization.
  */
-template <class SymmetricTraits = Symmetric_solver_traits>
-std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const std::vector<double>& weights,
-                                          const std::vector<Index>& loop, const std::vector<Plane_point>& border)
+inline std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const std::vector<double>& weights,
+                                          const std::vector<Index>& loop, const std::vector<Plane_point>& border, Make_solver make_solver = make_symmetric_solver)
 {
   const Index n = disc.number_of_vertices();
   std::vector<Plane_point> at(n, {0, 0});
@@ -86,9 +84,9 @@ std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const st
   {
     if (!is_border[v]) { inner.push_back(v); }
   }
-  internal::Laplace_system<SymmetricTraits> system(g, weights);
-  system.template solve<2>(
-    inner, [&](Index v) { return at[v]; }, [&](Index v, int i, double x) { at[v][i] = x; });
+  internal::Laplace_system system(g, weights, make_solver);
+  system.solve(
+    inner, 2, [&](Index v, double* value) { std::copy(at[v].begin(), at[v].end(), value); }, [&](Index v, int i, double x) { at[v][i] = x; });
   return at;
 }
 

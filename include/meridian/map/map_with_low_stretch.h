@@ -105,11 +105,10 @@ inline Stretched_map judge_map(const Triangle_surface& disc, std::vector<Plane_p
 }
 
 // The best map that comes of some weights.
-template <class SymmetricTraits>
-Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> weights, const std::vector<Index>& loop,
-                            const std::vector<Plane_point>& border, int steps)
+inline Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> weights, const std::vector<Index>& loop,
+                            const std::vector<Plane_point>& border, int steps, Make_solver make_solver)
 {
-  Stretched_map best = judge_map(disc, map_into_polygon<SymmetricTraits>(disc, weights, loop, border)), last = best;
+  Stretched_map best = judge_map(disc, map_into_polygon(disc, weights, loop, border, make_solver)), last = best;
   double power = 1;
   for (int i = 0; (i < steps || (best.flips > 0 && i < 8)) && power > 0.2; ++i)
   {
@@ -126,7 +125,7 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
     Stretched_map now;
     try
     {
-      now = judge_map(disc, map_into_polygon<SymmetricTraits>(disc, next, loop, border));
+      now = judge_map(disc, map_into_polygon(disc, next, loop, border, make_solver));
     }
     catch (const Solver_error&)
     {
@@ -159,7 +158,6 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
  * is found so, equal weights are tried. Stretch is the root of the mean square of all faces by area; faces of more than
  * 1000 count as 1000.
  *
- * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
  * \param loop its boundary, as halfedges
  * \param border the image of each halfedge's source, on a convex polygon, counterclockwise
@@ -172,9 +170,8 @@ Stretched_map lower_stretch(const Triangle_surface& disc, std::vector<double> we
  * \par Complexity
  * One factorization a step.
  */
-template <class SymmetricTraits = Symmetric_solver_traits>
-std::vector<Plane_point> map_with_low_stretch(const Triangle_surface& disc, const std::vector<Index>& loop,
-                                              const std::vector<Plane_point>& border, int steps = 20)
+inline std::vector<Plane_point> map_with_low_stretch(const Triangle_surface& disc, const std::vector<Index>& loop,
+                                              const std::vector<Plane_point>& border, int steps = 20, Make_solver make_solver = make_symmetric_solver)
 {
   internal::Stretched_map best;
   for (const bool is_equal : {false, true})
@@ -184,7 +181,7 @@ std::vector<Plane_point> map_with_low_stretch(const Triangle_surface& disc, cons
     try
     {
       internal::Stretched_map found =
-        internal::lower_stretch<SymmetricTraits>(disc, std::move(weights), loop, border, steps);
+        internal::lower_stretch(disc, std::move(weights), loop, border, steps, make_solver);
       if (best.at.empty() || found.is_better_than(best)) { best = std::move(found); }
       if (best.flips == 0) { break; }
     }

@@ -3,7 +3,7 @@
 #define MERIDIAN_MAP_MINIMIZE_DISTORTION_H
 
 #include <meridian/base/exceptions.h>
-#include <meridian/field/solver_traits.h>
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/map/internal/dirichlet_energy.h>
 #include <meridian/map/internal/scaffold.h>
 
@@ -23,6 +23,7 @@ struct Distortion_options
   double least_gain = 5e-4;
   bool has_free_border = true;               ///< whether the border may move
   std::function<void(double)> progress = {}; ///< receives the part of `iterations` done; may throw to cancel
+  Make_solver make_solver = make_symmetric_solver;
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -83,12 +84,11 @@ inline Rest_triangle rest_as_is(const std::array<Index, 3>& t, const std::vector
 }
 
 // Newton's method on the map of a disc. Its border stays where it is, or moves and is kept a simple polygon.
-template <class SymmetricTraits> class Distortion_minimizer
+class Distortion_minimizer
 {
 public:
-  Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at)
-    // 4: the corners of the box do not move
-    : m_at(at), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)), m_row(at.size() + 4, -1)
+  Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at, Make_solver make_solver = make_symmetric_solver)
+    : m_at(at), m_make_solver(make_solver), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)), m_row(at.size() + 4, -1)
   {
     const auto loops = boundary_loops(disc);
     for (Index h : loops.front()) { m_loop.push_back(disc.source(h)); }
@@ -173,9 +173,8 @@ private:
   double find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move) const
   {
     const std::size_t unknowns = 2 * static_cast<std::size_t>(m_rows);
-    typename SymmetricTraits::Matrix hessian(unknowns);
-    typename SymmetricTraits::Vector right(unknowns), solution(unknowns);
-    for (std::size_t i = 0; i < unknowns; ++i) { right[i] = 0; }
+    Sparse_matrix hessian(static_cast<Index>(unknowns));
+    std::vector<double> right(unknowns, 0), solution;
     double trace = 0;
     const auto add = [&](const Rest_triangle& t) {
       const Energy_derivatives d = derive_energy(t, gradient_of(t, at));
@@ -190,7 +189,7 @@ private:
           if (column < 0 || column > row) { continue; }
           double entry = 0;
           for (const Hessian_mode& mode : d.modes) { entry += mode.lambda * mode.q[k] * mode.q[l]; }
-          hessian.add_coef(row, column, t.weight * entry);
+          hessian.add(row, column, t.weight * entry);
           if (k == l) { trace += t.weight * entry; }
         }
       }
@@ -198,12 +197,12 @@ private:
     for (const Rest_triangle& t : m_faces) { add(t); }
     for (const Rest_triangle& t : m_outside) { add(t); }
     // A little is added to the diagonal, and more if rounding made the matrix indefinite.
-    double added = 1e-12 * trace / static_cast<double>(unknowns), denominator = 1;
+    double added = 1e-12 * trace / static_cast<double>(unknowns);
     for (int tries = 0;; ++tries, added *= 100)
     {
-      for (std::size_t i = 0; i < unknowns; ++i) { hessian.add_coef(i, i, added); }
-      SymmetricTraits solver;
-      if (solver.factor(hessian, denominator) && solver.linear_solver(right, solution)) { break; }
+      for (std::size_t i = 0; i < unknowns; ++i) { hessian.add(i, i, added); }
+      const auto solver = m_make_solver();
+      if (solver->factor(hessian) && solver->solve(right, solution)) { break; }
       if (tries == 6)
         throw Solver_error(
           "the system of " + std::to_string(unknowns)
@@ -214,13 +213,14 @@ private:
     {
       if (m_row[v] < 0) { continue; }
       const std::size_t row = 2 * static_cast<std::size_t>(m_row[v]);
-      move[v] = {solution[row] / denominator, solution[row + 1] / denominator};
+      move[v] = {solution[row], solution[row + 1]};
       slope -= move[v][0] * right[row] + move[v][1] * right[row + 1];
     }
     return slope;
   }
 
   std::vector<Plane_point>& m_at;
+  Make_solver m_make_solver;
   const bool m_has_free_border;
   std::vector<Rest_triangle> m_faces, m_outside;
   std::vector<Index> m_row; // the number of a point among those that move, or -1
@@ -243,7 +243,6 @@ private:
  * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
  * thought scaled to the area that the image has at the beginning.
  *
- * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param disc the surface
  * \param at the image of each vertex
  * \param options see there
@@ -253,11 +252,10 @@ private:
  * \par Complexity
  * One factorization of twice as many equations as vertices for each step.
  */
-template <class SymmetricTraits = Symmetric_solver_traits>
-void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at,
+inline void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at,
                          const Distortion_options& options = Distortion_options())
 {
-  internal::Distortion_minimizer<SymmetricTraits> minimizer(disc, options.has_free_border, at);
+  internal::Distortion_minimizer minimizer(disc, options.has_free_border, at, options.make_solver);
   for (int i = 0; i < options.iterations; ++i)
   {
     if (options.progress) { options.progress(static_cast<double>(i) / options.iterations); }

@@ -52,13 +52,12 @@ inline std::vector<Plane_point> place_on_square(const std::vector<double>& place
 }
 
 // Maps a disc by one method. Returns why there is no map, or nothing.
-template <class SymmetricTraits, class GeneralTraits>
-std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options,
+inline std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options,
                      std::vector<Plane_point>& at)
 {
   if (method >= Map_method::MEAN_VALUE)
   {
-    return map_with_cgal<GeneralTraits>(disc, method, border == Map_border::SQUARE, at);
+    return map_with_cgal(disc, method, border == Map_border::SQUARE, at);
   }
   const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
   const auto loop = is_given ? options.loop : boundary_loops(disc).front();
@@ -68,10 +67,10 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
                                                       : place_on_circle(places);
   if (method == Map_method::POSITIVE)
   {
-    at = map_into_polygon<SymmetricTraits>(disc, edge_weights(disc, Weights::POSITIVE), loop, polygon);
+    at = map_into_polygon(disc, edge_weights(disc, Weights::POSITIVE), loop, polygon, options.make_solver);
     return "";
   }
-  at = map_with_low_stretch<SymmetricTraits>(disc, loop, polygon, method == Map_method::STRETCH ? 20 : 3);
+  at = map_with_low_stretch(disc, loop, polygon, method == Map_method::STRETCH ? 20 : 3, options.make_solver);
   if (method == Map_method::STRETCH) { return ""; }
   if (!is_one_to_one(disc, at))
   {
@@ -80,9 +79,10 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   Distortion_options distortion;
   distortion.has_free_border = border == Map_border::FREE;
   distortion.progress = options.progress;
+  distortion.make_solver = options.make_solver;
   try
   {
-    minimize_distortion<SymmetricTraits>(disc, at, distortion);
+    minimize_distortion(disc, at, distortion);
   }
   catch (const Solver_error&)
   {} // what was reached so far is a map
@@ -106,8 +106,7 @@ inline void place_in_unit_square(std::vector<Plane_point>& at)
 
 } // namespace internal
 
-template <class SymmetricTraits, class GeneralTraits>
-Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options)
+inline Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options)
 {
   const bool is_small = boundary_loops(disc).front().size() < 4; // no square
   using Choice = std::pair<Map_method, Map_border>;
@@ -133,7 +132,7 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     std::string reason;
     try
     {
-      reason = internal::map_disc<SymmetricTraits, GeneralTraits>(disc, method, border, options, at);
+      reason = internal::map_disc(disc, method, border, options, at);
     }
     catch (const Solver_error& e)
     {

@@ -62,8 +62,8 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
   {
     throw Invalid_input_error("a field needs a minimum and a maximum");
   }
-  const Ordered_surface m = order_surface<Symmetric_solver_traits, General_solver_traits>(
-    make_triangle_surface(tm), options, [](Stage, const auto& work) { work(); });
+  const Ordered_surface m = order_surface(
+    make_triangle_surface(tm), options, run_unwatched);
   for (auto v : vertices(tm)) { put(field, v, m.field(m.graph.node[number[v]])); }
 }
 

@@ -52,7 +52,6 @@ inline Filled_surface fill_boundary(const Triangle_surface& root)
  * So with one minimum and one maximum there are 2g saddles on the filled surface, and its contours, arcs continued
  * through the fans, are closed.
  *
- * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param filled the filled surface
  * \param options weights and extrema
  * \param run calls its second argument; the first is the stage
@@ -61,8 +60,7 @@ inline Filled_surface fill_boundary(const Triangle_surface& root)
  * \par Complexity
  * that of `order_surface()`
  */
-template <class SymmetricTraits, class GeneralTraits, class Run>
-Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Field_options& options, const Run& run)
+inline Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Field_options& options, const Run_stage& run)
 {
   Ordered_surface m;
   std::vector<Index> minima = options.minima, maxima = options.maxima;
@@ -132,13 +130,8 @@ Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Fie
     {
       if (!is_known[v]) { unknown.push_back(v); }
     }
-    const auto solve = [&](auto traits) {
-      internal::Laplace_system<decltype(traits)> system(m.graph, weights);
-      system.solve(
-        unknown, [&](Index a) { return m.field.value[a]; }, m.field.value);
-    };
-    if (options.weights == Weights::MEAN_VALUE) { solve(GeneralTraits()); }
-    else { solve(SymmetricTraits()); }
+    internal::Laplace_system system(m.graph, weights, options.weights == Weights::MEAN_VALUE ? options.solvers.general : options.solvers.symmetric);
+    system.solve(unknown, [&](Index a) { return m.field.value[a]; }, m.field.value);
     fill();
   });
   run(Stage::ORDER, [&] { order_by_field(filled.surface, m, minima, maxima); });

@@ -339,7 +339,6 @@ inline Map_comparison compare_maps(const Triangle_surface& root, const Cut_disc&
  * An edge at `J` takes the weight that it has on the surface. Both discs would give it the same one, bit for bit, but
  * at faces that are all but without area, where weights are bounded relative to the mean length of a surface's edges.
  *
- * \tparam SymmetricTraits a model of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param root the surface, connected
  * \param first, second two discs of it
  * \param kind the method
@@ -350,8 +349,7 @@ inline Map_comparison compare_maps(const Triangle_surface& root, const Cut_disc&
  * \par Complexity
  * Three factorizations.
  */
-template <class SymmetricTraits = Symmetric_solver_traits>
-Map_comparison compare_parameterizations(const Triangle_surface& root, const Cut_disc& first, const Cut_disc& second,
+inline Map_comparison compare_parameterizations(const Triangle_surface& root, const Cut_disc& first, const Cut_disc& second,
                                          Map_weights kind = Map_weights::POSITIVE)
 {
   const std::vector<Index> untouched = find_untouched_vertices(root, first, second);
@@ -364,7 +362,7 @@ Map_comparison compare_parameterizations(const Triangle_surface& root, const Cut
                                 + std::to_string(loops.size()));
     const std::vector<double> on_disc =
       internal::weights_on_disc(root, disc, untouched, weights, map_weights(disc, kind));
-    return map_into_polygon<SymmetricTraits>(disc, on_disc, loops.front(),
+    return map_into_polygon(disc, on_disc, loops.front(),
                                              place_on_circle(places_along(disc, loops.front())));
   };
   return compare_maps(root, first, second, weights, {map(first.disc), map(second.disc)});

@@ -156,7 +156,7 @@ inline std::vector<Index> find_stretched_vertices(const Triangle_surface& disc, 
 
 namespace internal {
 
-template <class SymmetricTraits, class GeneralTraits> class Unwrapper
+class Unwrapper
 {
 public:
   Unwrapper(const Triangle_surface& root, const Unwrap_options& options)
@@ -168,7 +168,7 @@ public:
     if (m_options.family == 1)
     {
       Unwrapping first;
-      first.cut = cut_to_disc<SymmetricTraits, GeneralTraits>(m_root, m_options.cut);
+      first.cut = cut_to_disc(m_root, m_options.cut);
       m_chosen = m_options.cut;
       map(first);
       m_best = std::move(first);
@@ -195,7 +195,7 @@ private:
       else if (options.border == Map_border::SQUARE && !m_options.cut.on_edges) { divide_border_chords(m_root, u.cut); }
       u.disc = surface_of(u.cut.surface, u.cut.opened);
       options.progress = [&](double done) { run.progress(Stage::PARAMETERIZE, done); };
-      u.map = parameterize_disc<SymmetricTraits, GeneralTraits>(u.disc, options);
+      u.map = parameterize_disc(u.disc, options);
     });
   }
 
@@ -294,7 +294,7 @@ private:
         Unwrapping u;
         try
         {
-          u.cut = cut_to_disc<SymmetricTraits, GeneralTraits>(m_root, options);
+          u.cut = cut_to_disc(m_root, options);
         }
         catch (const Invalid_input_error&)
         {
@@ -427,7 +427,6 @@ private:
  * is as small as asked (Gu, Gortler, Hoppe 2002), and, whether asked or not, while faces are turned over, or a map with
  * a free border has an L2 stretch of more than 100, which only a better cut can mend. Every cut is recounted.
  *
- * \tparam SymmetricTraits, GeneralTraits models of CGAL's `SparseLinearAlgebraWithFactorTraits_d`
  * \param root the surface
  * \param options see there
  *
@@ -437,10 +436,9 @@ private:
  * \par Complexity
  * That of `cut_to_disc()` and `parameterize_disc()`, for every cut that is tried.
  */
-template <class SymmetricTraits = Symmetric_solver_traits, class GeneralTraits = General_solver_traits>
-Unwrapping unwrap_surface(const Triangle_surface& root, const Unwrap_options& options = Unwrap_options())
+inline Unwrapping unwrap_surface(const Triangle_surface& root, const Unwrap_options& options = Unwrap_options())
 {
-  return internal::Unwrapper<SymmetricTraits, GeneralTraits>(root, options).run();
+  return internal::Unwrapper(root, options).run();
 }
 
 } // namespace meridian

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_FIELD_INTERNAL_FLAT_REGIONS_H
 #define MERIDIAN_FIELD_INTERNAL_FLAT_REGIONS_H
 
+#include <meridian/field/Laplace_system.h>
 #include <meridian/field/Scalar_field.h>
 
 #include <algorithm>
@@ -39,8 +40,7 @@ inline Index characteristic_around(const Triangle_surface& s, const Closed_model
 // Solves again, in a scale of its own, wherever the field is flat to rounding and the flat region is not a disc.
 // Values of a region lie in [-1, 1]; a node is flat if no neighbour differs by more than `flat`. Neighbours are those
 // of the system, which may join the nodes by other edges than the surface does.
-template <class System>
-void solve_flat_regions(const Triangle_surface& s, const Closed_model& g, System& system, std::vector<Index> nodes,
+inline void solve_flat_regions(const Triangle_surface& s, const Closed_model& g, Laplace_system& system, std::vector<Index> nodes,
                         Scalar_field& field)
 {
   const Closed_model& joined = system.graph();

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_FIELD_INTERNAL_SHIFTED_LAPLACIAN_H
 #define MERIDIAN_FIELD_INTERNAL_SHIFTED_LAPLACIAN_H
 
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/surface/Closed_model.h>
 
 #include <Eigen/Core>
@@ -23,14 +24,14 @@ inline void bound_areas(std::vector<double>& areas, double sum)
 // matrix operation of Spectra's symmetric solvers. Weights and masses are divided by the median diagonal of L and the
 // sum of the masses: so the lowest eigenvalue of a round surface is about 10 (4 pi^2 on a flat torus of squares with
 // weights 1), and the shift lies well below it.
-template <class SolverTraits> class Shifted_laplacian
+class Shifted_laplacian
 {
 public:
   using Scalar = double;
   static constexpr double shift = 1e-2;
 
-  Shifted_laplacian(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& mass)
-    : m_root(g.number_of_nodes), m_right(g.number_of_nodes), m_solution(g.number_of_nodes)
+  Shifted_laplacian(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& mass, Make_solver make_solver)
+    : m_root(g.number_of_nodes), m_solver(make_solver()), m_right(g.number_of_nodes)
   {
     const Index n = g.number_of_nodes;
     std::vector<double> diagonal(n, 0);
@@ -49,16 +50,16 @@ public:
       throw Solver_error("the weights of the Laplacian are not positive or the masses are not; the symmetric positive "
                          "weights are the safest");
 
-    typename SolverTraits::Matrix a(n);
+    Sparse_matrix a(n);
     for (Index row = 0; row < n; ++row)
     {
       const double m = mass[row] / m_total_mass;
       m_root[row] = std::sqrt(m);
       for (Index i = g.begin[row]; i < g.begin[row + 1]; ++i)
-        if (g.neighbor[i] != row) { a.set_coef(row, g.neighbor[i], -weights[g.halfedge[i]] / unit, true); }
-      a.set_coef(row, row, diagonal[row] / unit + shift * m, true);
+        if (g.neighbor[i] != row) { a.add(row, g.neighbor[i], -weights[g.halfedge[i]] / unit); }
+      a.add(row, row, diagonal[row] / unit + shift * m);
     }
-    if (!m_solver.factor(a, m_denominator))
+    if (!m_solver->factor(a))
       throw Solver_error("the Laplacian of " + std::to_string(n)
                          + " nodes cannot be factorized; the symmetric positive weights are the safest");
     m_excluded.push_back(m_root.normalized());
@@ -98,11 +99,11 @@ private:
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const
   {
     for (Eigen::Index i = 0; i < rows(); ++i) { m_right[i] = right[i]; }
-    bool is_solved = m_solver.linear_solver(m_right, m_solution);
+    bool is_solved = m_solver->solve(m_right, m_solution);
     Eigen::VectorXd x(rows());
     for (Eigen::Index i = 0; i < rows() && is_solved; ++i)
     {
-      x[i] = m_solution[i] / m_denominator;
+      x[i] = m_solution[i];
       is_solved = std::isfinite(x[i]);
     }
     if (!is_solved)
@@ -114,11 +115,10 @@ private:
   }
 
   Eigen::VectorXd m_root; // of the masses
-  double m_total_mass = 0, m_denominator = 1;
+  double m_total_mass = 0;
   std::vector<Eigen::VectorXd> m_excluded; // orthonormal
-  // CGAL's solvers are not const; Spectra's operations are.
-  mutable SolverTraits m_solver;
-  mutable typename SolverTraits::Vector m_right, m_solution;
+  std::unique_ptr<Sparse_solver> m_solver;
+  mutable std::vector<double> m_right, m_solution; // Spectra's operations are const
 };
 
 } // namespace internal

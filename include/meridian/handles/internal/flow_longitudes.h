@@ -12,17 +12,17 @@ namespace meridian {
 namespace internal {
 
 // Looks for longitudes among flow lines (Patane 2007, section 4).
-template <class SymmetricTraits, class GeneralTraits> class Flow_longitudes
+class Flow_longitudes
 {
 public:
   // `saddles`: of each pair's meridian, in `m.surface`. `longer`: than the arc a loop may be, by this factor.
   Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, const Morse_complex& complex,
-                  Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles, double longer)
-    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_longer(longer),
+                  Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles, double longer, const Solvers& solvers)
+    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_longer(longer), m_solvers(solvers),
       m_critical(find_critical_points(m.surface, m.rank))
   {
     if (static_cast<int>(saddles.size()) > few) { return; }
-    m_fields = std::make_unique<Two_point_fields<SymmetricTraits>>(root);
+    m_fields = std::make_unique<Two_point_fields>(root, m_solvers.symmetric);
     m_whole.surface = root;
     for (Index v = 0; v < root.number_of_vertices(); ++v) { m_whole.vertex_of.push_back(v); }
     for (Index f = 0; f < root.number_of_faces(); ++f) { m_whole.face_of.push_back(f); }
@@ -98,12 +98,13 @@ private:
       cut_patch(m_root, faces, faces.front(), reach * arc.length, share * m_root.number_of_faces() / m_saddles.size());
     if (!patch.vertex.count(low) || !patch.vertex.count(high) || low == high) { return false; }
     Field_options options;
+    options.solvers = m_solvers;
     options.minima = {patch.vertex.at(low)};
     options.maxima = {patch.vertex.at(high)};
     const Closed_model g = make_closed_model(patch.surface);
     if (g.node[options.minima.front()] == g.node[options.maxima.front()]) { return false; }
     const Ordered_surface h =
-      order_surface<SymmetricTraits, GeneralTraits>(patch.surface, options, [](Stage, const auto& work) { work(); });
+      order_surface(patch.surface, options, run_unwatched);
     return take_all(i, h, patch, arc, pair);
   }
   bool take_all(Index i, const Ordered_surface& h, const Surface_patch& patch, const Crossing_loop& arc,
@@ -142,8 +143,9 @@ private:
   const std::vector<std::pair<Index, Index>>& m_saddles;
   const Morse_complex& m_complex;
   double m_longer; // than the arc a loop may be, by this factor
+  Solvers m_solvers;
   std::vector<Critical_point> m_critical;
-  std::unique_ptr<Two_point_fields<SymmetricTraits>> m_fields; // on the whole surface
+  std::unique_ptr<Two_point_fields> m_fields; // on the whole surface
   Surface_patch m_whole;
 };
 

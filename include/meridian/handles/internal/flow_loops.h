@@ -264,28 +264,27 @@ inline bool try_loop(Normal_curves& curves, Index curve, std::vector<Normal_curv
 
 // Harmonic fields with one minimum and one maximum on one surface, by back-substitution: with one node pinned and
 // factored once, each is an affine function of the solution for a unit source at the one and a unit sink at the other.
-template <class SymmetricTraits> class Two_point_fields
+class Two_point_fields
 {
 public:
-  explicit Two_point_fields(const Triangle_surface& root) : m_root(root)
+  Two_point_fields(const Triangle_surface& root, Make_solver make_solver) : m_root(root), m_solver(make_solver())
   {
     m_base.surface = divide_chords(root);
     m_base.graph = make_closed_model(m_base.surface);
     const Closed_model& g = m_base.graph;
     const auto weights = edge_weights(m_base.surface, Weights::POSITIVE);
-    typename SymmetricTraits::Matrix a(g.number_of_nodes - 1);
+    Sparse_matrix a(g.number_of_nodes - 1);
     for (Index i = 0; i + 1 < g.number_of_nodes; ++i) // the last node is pinned
     {
       double diagonal = 0;
       for (Index e = g.begin[i]; e < g.begin[i + 1]; ++e)
       {
         diagonal += weights[g.halfedge[e]];
-        if (g.neighbor[e] + 1 < g.number_of_nodes) { a.set_coef(i, g.neighbor[e], -weights[g.halfedge[e]], true); }
+        if (g.neighbor[e] + 1 < g.number_of_nodes) { a.add(i, g.neighbor[e], -weights[g.halfedge[e]]); }
       }
-      a.set_coef(i, i, diagonal, true);
+      a.add(i, i, diagonal);
     }
-    double denominator = 1;
-    m_is_factored = m_solver.factor(a, denominator);
+    m_is_factored = m_solver->factor(a);
   }
 
   // False if the two are one node or the system cannot be solved.
@@ -293,11 +292,10 @@ public:
   {
     const Index p = m_base.graph.node[low], q = m_base.graph.node[high], n = m_base.graph.number_of_nodes - 1;
     if (p == q || !m_is_factored) { return false; }
-    typename SymmetricTraits::Vector b(n), x(n);
-    for (Index i = 0; i < n; ++i) { b[i] = 0; }
+    std::vector<double> b(n, 0), x;
     if (p < n) { b[p] = -1; }
     if (q < n) { b[q] = 1; }
-    if (!m_solver.linear_solver(b, x)) { return false; }
+    if (!m_solver->solve(b, x)) { return false; }
     m = m_base;
     m.field = Scalar_field(n + 1);
     const double at_low = p < n ? x[p] : 0, range = (q < n ? x[q] : 0) - at_low;
@@ -313,7 +311,7 @@ public:
 private:
   Ordered_surface m_base;
   const Triangle_surface& m_root;
-  SymmetricTraits m_solver;
+  std::unique_ptr<Sparse_solver> m_solver;
   bool m_is_factored = false;
 };
 

@@ -40,15 +40,14 @@ inline std::string explain_error(CGAL::Surface_mesh_parameterization::Error_code
 }
 
 // A map by CGAL's Surface_mesh_parameterization. Returns why there is none, or nothing.
-template <class GeneralTraits>
-std::string map_with_cgal(const Triangle_surface& disc, Map_method method, bool in_square, std::vector<Plane_point>& at)
+inline std::string map_with_cgal(const Triangle_surface& disc, Map_method method, bool in_square, std::vector<Plane_point>& at)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
   using Kernel = CGAL::Simple_cartesian<double>;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
   using Circle = SMP::Circular_border_arc_length_parameterizer_3<Mesh>;
   using Square = SMP::Square_border_arc_length_parameterizer_3<Mesh>;
-  using Solver = GeneralTraits;
+  using Solver = CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType, Eigen::COLAMDOrdering<int>>>;
   Mesh mesh;
   std::vector<Mesh::Vertex_index> vertex;
   for (const Point& p : disc.points) { vertex.push_back(mesh.add_vertex({p[0], p[1], p[2]})); }
