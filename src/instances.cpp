@@ -3,7 +3,7 @@
 
 namespace meridian {
 
-template Disc_cut cut_to_disc<>(const Triangle_surface&, const Cut_options&);
+template Cut cut_to_disc<>(const Triangle_surface&, const Cut_options&);
 template Generators find_generators<>(const Triangle_surface&, const Generator_options&);
 template Homology_basis find_shortest_basis<>(const Triangle_surface&, const Basis_options&);
 template std::vector<double> eigenfunction_field<>(const Triangle_surface&, int, Weights);

@@ -4,14 +4,14 @@
 #define MERIDIAN_INSTANCES_H
 
 #include <meridian/cut/cut_to_disc.h>
-#include <meridian/field/fields.h>
+#include <meridian/field/eigenfunctions.h>
 #include <meridian/handles/find_shortest_basis.h>
 #include <meridian/unwrap/compare_parameterizations.h>
 #include <meridian/unwrap/unwrap_surface.h>
 
 namespace meridian {
 
-extern template Disc_cut cut_to_disc<>(const Triangle_surface&, const Cut_options&);
+extern template Cut cut_to_disc<>(const Triangle_surface&, const Cut_options&);
 extern template Generators find_generators<>(const Triangle_surface&, const Generator_options&);
 extern template Homology_basis find_shortest_basis<>(const Triangle_surface&, const Basis_options&);
 

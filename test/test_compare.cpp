@@ -36,7 +36,7 @@ Triangle_surface surface(int which)
 }
 
 // Cuts that differ in everything that may be chosen.
-std::vector<Disc_cut> make_cuts(const Triangle_surface& s)
+std::vector<Cut> make_cuts(const Triangle_surface& s)
 {
   std::vector<Cut_options> all(7);
   all[1].preference = preference::short_length;
@@ -50,7 +50,7 @@ std::vector<Disc_cut> make_cuts(const Triangle_surface& s)
   all[5].maxima = {s.number_of_vertices() - 5};
   all[5].tightening = Tightening::NONE;
   all[6].method = Cut_method::GEOMETRY_IMAGE;
-  std::vector<Disc_cut> cuts;
+  std::vector<Cut> cuts;
   for (const Cut_options& o : all) { cuts.push_back(pipeline::cut(s, o)); }
   return cuts;
 }
@@ -58,7 +58,7 @@ std::vector<Disc_cut> make_cuts(const Triangle_surface& s)
 std::vector<Cut_disc> make_discs(const Triangle_surface& s)
 {
   std::vector<Cut_disc> discs;
-  for (const Disc_cut& cut : make_cuts(s)) { discs.push_back(cut_disc_of(s, cut)); }
+  for (const Cut& cut : make_cuts(s)) { discs.push_back(cut_disc_of(s, cut)); }
   return discs;
 }
 
@@ -75,7 +75,7 @@ std::set<std::array<Point, 2>> seam_of(const Cut_disc& d)
 }
 
 // What two cuts leave alone, from the seam flags and the parts of faces, by sets.
-std::vector<Index> untouched_by_sets(const Triangle_surface& root, const Disc_cut& a, const Disc_cut& b)
+std::vector<Index> untouched_by_sets(const Triangle_surface& root, const Cut& a, const Cut& b)
 {
   std::vector<std::set<Index>> around(root.number_of_vertices());
   std::set<Index> border, touched;
@@ -96,7 +96,7 @@ std::vector<Index> untouched_by_sets(const Triangle_surface& root, const Disc_cu
       border.insert(edge.second);
     }
   }
-  for (const Disc_cut* cut : {&a, &b})
+  for (const Cut* cut : {&a, &b})
   {
     const Refined_surface& s = cut->surface;
     std::vector<int> parts(root.number_of_faces(), 0);
@@ -227,7 +227,7 @@ BOOST_DATA_TEST_CASE(a_recount_with_dense_matrices_agrees, data::xrange(3) * dat
   const auto s = sample::noisy(sample::torus(30, 15), 0.05, 3);
   const auto cuts = make_cuts(s);
   const std::array<std::array<std::size_t, 2>, 3> pairs{{{0, 1}, {3, 5}, {1, 4}}};
-  const Disc_cut &first = cuts[pairs[pair][0]], &second = cuts[pairs[pair][1]];
+  const Cut &first = cuts[pairs[pair][0]], &second = cuts[pairs[pair][1]];
   const auto c = compare_parameterizations(s, cut_disc_of(s, first), cut_disc_of(s, second), all_weights[w]);
   BOOST_TEST(c.untouched == untouched_by_sets(s, first, second), boost::test_tools::per_element());
   BOOST_REQUIRE(!c.untouched.empty());
@@ -413,9 +413,9 @@ BOOST_DATA_TEST_CASE(other_numbers_of_vertices_and_faces_change_nothing, data::x
 BOOST_DATA_TEST_CASE(which_side_of_the_seam_keeps_a_vertex_does_not_matter, data::xrange(6), which)
 {
   const auto s = surface(which);
-  for (const Disc_cut& cut : make_cuts(s))
+  for (const Cut& cut : make_cuts(s))
   {
-    Disc_cut other = cut;
+    Cut other = cut;
     std::vector<Index> name(cut.surface.number_of_vertices() + cut.opened.copy_of.size());
     std::iota(name.begin(), name.end(), Index(0));
     for (std::size_t i = 0; i < cut.opened.copy_of.size(); ++i)

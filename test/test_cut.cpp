@@ -8,7 +8,7 @@ using namespace meridian;
 
 namespace {
 
-void check_is_disc(const Triangle_surface& s, const Disc_cut& cut)
+void check_is_disc(const Triangle_surface& s, const Cut& cut)
 {
   const auto result = pipeline::run(sample::soup(s));
   BOOST_TEST(result.verification.failures.size() == 0u);
@@ -17,7 +17,7 @@ void check_is_disc(const Triangle_surface& s, const Disc_cut& cut)
 }
 
 // Turns along a closed curve, in radians: 2 pi for a convex plane curve.
-double total_turning(const Disc_cut& cut, const std::vector<Index>& curve)
+double total_turning(const Cut& cut, const std::vector<Index>& curve)
 {
   double sum = 0;
   const auto& p = cut.surface.points;
@@ -299,7 +299,7 @@ BOOST_DATA_TEST_CASE(links_through_the_plane_give_a_disc, data::xrange(4), genus
     o.links.source = 11;
     const auto run = pipeline::run(sample::soup(s), false, o);
     for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
-    const Disc_cut& cut = run.cuts.front();
+    const Cut& cut = run.cuts.front();
     BOOST_TEST(cut.links_in_plane == (cut.genus > 0 || cut.boundary_loops > 0));
     bool passes = (cut.genus == 0 && cut.boundary_loops == 0) || s.is_boundary_vertex(11);
     for (const auto* curves : {&cut.links, &cut.meridians})

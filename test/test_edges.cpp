@@ -22,7 +22,7 @@ int number_of_loops(const Triangle_surface& s) { return static_cast<int>(boundar
 
 void check_is_disc(const Triangle_surface& root, Refined_surface refined)
 {
-  Disc_cut cut;
+  Cut cut;
   cut.boundary_loops = number_of_loops(root);
   cut.genus = (2 - sample::euler_characteristic(root) - cut.boundary_loops) / 2;
   cut.surface = std::move(refined);
@@ -383,7 +383,7 @@ BOOST_AUTO_TEST_CASE(edges_near_a_smooth_cut_open_every_surface_to_a_disc)
 {
   for (const Triangle_surface& s : surfaces())
   {
-    const Disc_cut cut = pipeline::cut(s);
+    const Cut cut = pipeline::cut(s);
     for (int rounds : {0, 50}) { check_is_disc(s, cut_of_edges_near(s, cut.surface, rounds)); }
   }
 }
@@ -393,7 +393,7 @@ BOOST_DATA_TEST_CASE(edges_near_a_smooth_cut_are_near_it, data::xrange(4), seed)
   for (const auto& s : {sample::noisy(sample::torus(60, 24), 0.05, seed), sample::noisy(sample::sphere(4), 0.01, seed),
                         sample::teapot(40 + seed)})
   {
-    const Disc_cut cut = pipeline::cut(s);
+    const Cut cut = pipeline::cut(s);
     double longest = 0;
     for (Index h = 0; h < s.number_of_halfedges(); ++h) { longest = std::max(longest, s.length(h)); }
     const auto edges = cut_of_edges_near(s, cut.surface);

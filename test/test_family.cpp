@@ -12,7 +12,7 @@ using namespace meridian;
 
 namespace {
 
-Disc_cut check_cut(const Triangle_surface& s, const Cut_options& options)
+Cut check_cut(const Triangle_surface& s, const Cut_options& options)
 {
   auto cut = pipeline::cut(s, options);
   const auto v = verify_cut(s, cut);
@@ -200,7 +200,7 @@ BOOST_AUTO_TEST_CASE(meridians_keep_to_low_weights)
   }
   std::vector<double> weight;
   for (const Point& p : s.points) { weight.push_back(p[1]); }
-  const auto mean = [&](const Disc_cut& cut) {
+  const auto mean = [&](const Cut& cut) {
     double sum = 0, n = 0;
     for (const auto& m : cut.meridians)
     {

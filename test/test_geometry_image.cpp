@@ -62,7 +62,7 @@ const std::vector<Sample>& samples()
 
 struct Image
 {
-  Disc_cut cut;
+  Cut cut;
   Square_border border;
   Triangle_surface disc;
   std::vector<Plane_point> at;
@@ -80,9 +80,9 @@ Image make_image(const Triangle_surface& s, int size, const Cut_options& options
   return r;
 }
 
-int least_size_named(const Triangle_surface& s, const Disc_cut& cut, int size)
+int least_size_named(const Triangle_surface& s, const Cut& cut, int size)
 {
-  Disc_cut copy = cut;
+  Cut copy = cut;
   try
   {
     prepare_square_border(s, copy, size);
@@ -357,7 +357,7 @@ BOOST_DATA_TEST_CASE(a_size_that_is_too_small_is_refused_and_the_least_one_works
   const int least = least_size_named(s.surface, cut, 2);
   BOOST_TEST(least >= 5);
   BOOST_TEST(least_size_named(s.surface, cut, least - 1) == least);
-  Disc_cut copy = cut;
+  Cut copy = cut;
   const auto border = prepare_square_border(s.surface, copy, least);
   BOOST_TEST(border.size == least);
   copy = cut;

@@ -74,7 +74,7 @@ Index recount_flips(const std::vector<std::array<Index, 3>>& triangles, const st
 // A disc of it.
 Triangle_surface disc_of(const Triangle_surface& s)
 {
-  const Disc_cut cut = pipeline::cut(s);
+  const Cut cut = pipeline::cut(s);
   return surface_of(cut.surface, cut.opened);
 }
 
@@ -505,7 +505,7 @@ BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
   const pipeline::Run run = pipeline::run(soup);
   std::vector<Triangle_surface> discs;
   std::vector<Chart> charts;
-  for (const Disc_cut& cut : run.cuts) { discs.push_back(surface_of(cut.surface, cut.opened)); }
+  for (const Cut& cut : run.cuts) { discs.push_back(surface_of(cut.surface, cut.opened)); }
   for (const Triangle_surface& d : discs) { charts.push_back({&d.triangles, pipeline::map(d).at, 1}); }
   pack_charts(charts);
   std::vector<Plane_point> texture(run.assembled.mesh.points.size(), {0, 0});

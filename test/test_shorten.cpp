@@ -23,7 +23,7 @@ double length_of(const Triangle_surface& s, const std::vector<Surface_curve>& cu
 // Cuts along curves and recounts the disc with nothing of what found them.
 Verification verify(const Triangle_surface& s, const std::vector<Surface_curve>& curves)
 {
-  Disc_cut cut;
+  Cut cut;
   cut.surface = Refined_surface(s);
   insert_curves(s, cut.surface, curves);
   cut.opened = open_along(cut.surface);

@@ -88,7 +88,7 @@ double bend_at(const Refined_surface& s, Index before, Index v, Index after)
   return std::abs(left - around / 2);
 }
 
-Shape measure_shape(const Triangle_surface& root, const Disc_cut& cut)
+Shape measure_shape(const Triangle_surface& root, const Cut& cut)
 {
   Shape shape;
   shape.length = cut.length / std::sqrt(area(root));
@@ -130,7 +130,7 @@ struct Way
 
 struct Attempt
 {
-  std::optional<Disc_cut> cut;
+  std::optional<Cut> cut;
   double seconds = 0;  // the median of three if it takes less than one
   std::string verdict; // "yes", or why there is no cut
   bool is_wrong = false, is_late = false;
@@ -311,7 +311,7 @@ int measure_families(const std::vector<Mesh>& meshes, double limit)
 }
 
 using Segments = std::vector<std::array<Point, 2>>;
-Segments segments_of(const Triangle_surface& s, const Disc_cut& cut)
+Segments segments_of(const Triangle_surface& s, const Cut& cut)
 {
   Segments segments;
   for (const auto& seam : cut.opened.seams)
@@ -352,7 +352,7 @@ struct Changed
 };
 
 // The places of a cut of a changed surface, turned back.
-Segments segments_turned_back(const Changed& changed, const Disc_cut& cut)
+Segments segments_turned_back(const Changed& changed, const Cut& cut)
 {
   Triangle_surface points;
   points.points = cut.surface.points;

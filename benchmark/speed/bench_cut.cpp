@@ -52,7 +52,7 @@ struct Stages
   std::vector<Loop_candidate> candidates;
   std::vector<Surface_curve> curves;
   Examination examination;
-  std::vector<Disc_cut> cuts;
+  std::vector<Cut> cuts;
   Assembled_result assembled;
 
   Stages(int faces, int wanted_genus) : root(plate(faces, wanted_genus))
@@ -228,7 +228,7 @@ void whole_cut(benchmark::State& state)
 {
   const auto work = [](const Stages& s) {
     const Examination e = examine_surface(s.soup);
-    std::vector<Disc_cut> cuts;
+    std::vector<Cut> cuts;
     for (const auto& c : e.components) { cuts.push_back(cut_to_disc(c.surface)); }
     const Assembled_result r = assemble_result(s.soup, e, cuts);
     return verify_cut(s.soup, r.mesh);

@@ -28,7 +28,7 @@ int main()
       torus.add_face(v[i * m + j], v[k * m + l], v[i * m + l]);
     }
 
-  const meridian::Disc_cut cut = meridian::cut_to_disc(torus, disc);
+  const meridian::Cut cut = meridian::cut_to_disc(torus, disc);
 
   const auto characteristic = static_cast<int>(disc.number_of_vertices()) - static_cast<int>(disc.number_of_edges())
                               + static_cast<int>(disc.number_of_faces());

@@ -48,7 +48,7 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
   return o;
 }
 
-std::string format_view(const std::string& title, const Examination& examination, const std::vector<Disc_cut>& cuts,
+std::string format_view(const std::string& title, const Examination& examination, const std::vector<Cut>& cuts,
                         const Assembled_result& assembled)
 {
   std::vector<page::Part> parts;
@@ -70,13 +70,13 @@ std::string format_view(const std::string& title, const Examination& examination
   std::ostringstream caption;
   caption << cuts.size() << (cuts.size() == 1 ? " component" : " components") << ", genus " << genus << ", " << loops
           << " boundary loops; cut length " << length;
-  const bool has_paths = std::any_of(cuts.begin(), cuts.end(), [](const Disc_cut& cut) { return !cut.paths.empty(); });
+  const bool has_paths = std::any_of(cuts.begin(), cuts.end(), [](const Cut& cut) { return !cut.paths.empty(); });
   return page::format_page(title, caption.str(), has_paths ? "paths" : "links", parts, curves, assembled);
 }
 
 } // namespace
 
-std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled)
+std::vector<Result_curve> name_curves(const std::vector<Cut>& cuts, const Assembled_result& assembled)
 {
   std::vector<Result_curve> meridians, longitudes, lines, links, paths, boundaries;
   const auto add = [&](std::vector<Result_curve>& curves, const char* kind, const std::vector<Index>& path,
@@ -156,14 +156,14 @@ std::vector<Cut_options> cut_options(const Cut_arguments& arguments, const Loade
   return options;
 }
 
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,
                         Terminal& terminal)
 {
   return conclude_cut(loaded, std::move(cuts), options, terminal,
                       [&](const Assembled_result& assembled) { return verify_cut(loaded.soup, assembled.mesh); });
 }
 
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,
                         Terminal& terminal, const Recount& recount)
 {
   Cut_result r;
@@ -210,7 +210,7 @@ int run_cut(const Cut_arguments& arguments)
   const Loaded_mesh loaded = load_mesh(arguments);
   const Examination& examination = loaded.examination;
   const std::vector<Cut_options> options = cut_options(arguments, loaded, terminal);
-  std::vector<Disc_cut> found;
+  std::vector<Cut> found;
   for (std::size_t i = 0; i < examination.components.size(); ++i)
   {
     terminal.begin_component(i, examination.components.size());

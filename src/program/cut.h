@@ -24,7 +24,7 @@ std::vector<Cut_options> cut_options(const Cut_arguments& arguments, const Loade
 // A cut of all components: put together, recounted and reported.
 struct Cut_result
 {
-  std::vector<Disc_cut> cuts;
+  std::vector<Cut> cuts;
   Assembled_result assembled;
   Verification verification;
   Json components = Json::array();
@@ -34,13 +34,13 @@ struct Cut_result
 };
 // `recount` verifies what was put together.
 using Recount = std::function<Verification(const Assembled_result&)>;
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,
                         Terminal& terminal, const Recount& recount);
-Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Disc_cut> cuts, const std::vector<Cut_options>& options,
+Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,
                         Terminal& terminal);
 
 // The curves of all components as they are written.
-std::vector<Result_curve> name_curves(const std::vector<Disc_cut>& cuts, const Assembled_result& assembled);
+std::vector<Result_curve> name_curves(const std::vector<Cut>& cuts, const Assembled_result& assembled);
 
 // The mesh, its map, the curves and the page, at the paths of the arguments.
 void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded,

@@ -75,7 +75,7 @@ int run_family(const Cut_arguments& arguments)
       current[i] = std::move(*member);
     }
     if (!is_new) { break; }
-    std::vector<Disc_cut> cuts;
+    std::vector<Cut> cuts;
     std::vector<Cut_options> used;
     for (const Family_member& member : current)
     {
@@ -86,7 +86,7 @@ int run_family(const Cut_arguments& arguments)
     Cut_arguments paths = arguments;
     for (std::string* path : {&paths.out, &paths.curves, &paths.view}) { *path = numbered(*path, rows.size()); }
     Row row{current[largest].name, paths.out, result.length, 0, std::numeric_limits<double>::infinity()};
-    for (const Disc_cut& cut : result.cuts)
+    for (const Cut& cut : result.cuts)
     {
       row.new_vertices += cut.surface.origins.size();
       row.smallest_angle = std::min(row.smallest_angle, cut.smallest_angle_after * 180 / std::acos(-1.));

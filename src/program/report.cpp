@@ -8,7 +8,7 @@ namespace {
 
 double degrees(double radians) { return radians * 180 / std::acos(-1.); }
 
-double length_of(const Disc_cut& cut, const std::vector<Index>& path, bool closed)
+double length_of(const Cut& cut, const std::vector<Index>& path, bool closed)
 {
   double sum = 0;
   for (std::size_t i = 0; i + (closed ? 0 : 1) < path.size(); ++i)
@@ -69,7 +69,7 @@ Json report_seconds(const Stage_times& times)
 
 } // namespace
 
-Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count,
+Json report_cut(const Cut& cut, const Surface_component& component, const Component_count& count,
                 const Cut_options& options)
 {
   Json r = report_counts(component);

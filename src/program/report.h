@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 Json report_input(const std::string& file, const Polygon_soup& soup, const Examination& examination);
 Json report_counts(const Surface_component& component);
 Json report_counts(const Component_count& count);
-Json report_cut(const Disc_cut& cut, const Surface_component& component, const Component_count& count,
+Json report_cut(const Cut& cut, const Surface_component& component, const Component_count& count,
                 const Cut_options& options);
 // `first_handle`: the number of its first pair.
 Json report_generators(const Generators& generators, const Surface_component& component, const Curve_count& count,

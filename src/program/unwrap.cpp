@@ -238,7 +238,7 @@ int run_unwrap(const Unwrap_arguments& arguments)
   const std::vector<Cut_options> cuts = cut_options(arguments, loaded, terminal);
   std::vector<Unwrapping> unwrapped;
   std::vector<Unwrap_options> options;
-  std::vector<Disc_cut> found;
+  std::vector<Cut> found;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     terminal.begin_component(i, components.size());

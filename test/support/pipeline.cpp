@@ -6,7 +6,7 @@
 
 namespace pipeline {
 
-Disc_cut cut(const Triangle_surface& s, const Cut_options& options) { return cut_to_disc(s, options); }
+Cut cut(const Triangle_surface& s, const Cut_options& options) { return cut_to_disc(s, options); }
 
 Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed,
                       Weights weights)

@@ -10,7 +10,7 @@ namespace pipeline {
 
 using namespace meridian;
 
-Disc_cut cut(const Triangle_surface& s, const Cut_options& options = Cut_options());
+Cut cut(const Triangle_surface& s, const Cut_options& options = Cut_options());
 Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed,
                       Weights weights = Weights::POSITIVE);
 
@@ -30,7 +30,7 @@ Unwrapping unwrap(const Triangle_surface& s, const Unwrap_options& options = Unw
 struct Run
 {
   Examination examination;
-  std::vector<Disc_cut> cuts;
+  std::vector<Cut> cuts;
   Assembled_result assembled;
   Verification verification;
 };

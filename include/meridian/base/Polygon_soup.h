@@ -2,6 +2,8 @@
 #ifndef MERIDIAN_BASE_POLYGON_SOUP_H
 #define MERIDIAN_BASE_POLYGON_SOUP_H
 
+#include <meridian/base/vectors.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +15,7 @@ namespace meridian {
 /// what a mesh file holds: points, and polygons as lists of point indices, in the file's order.
 struct Polygon_soup
 {
-  std::vector<std::array<double, 3>> points;
+  std::vector<Point> points;
   std::vector<std::int32_t> corners; ///< the polygons' point indices, one after the other
   std::vector<std::size_t> begin{0}; ///< polygon `i` has the corners `begin[i]` to `begin[i+1]-1`
 

@@ -3,6 +3,7 @@
 #define MERIDIAN_BASE_RESULT_MESH_H
 
 #include <meridian/base/Polygon_soup.h>
+#include <meridian/base/vectors.h>
 
 #include <array>
 #include <cstdint>
@@ -34,7 +35,7 @@ struct Result_origin
 /// copies.
 struct Result_mesh
 {
-  std::vector<std::array<double, 3>> points;
+  std::vector<Point> points;
   std::vector<std::array<std::int32_t, 3>> faces;
   std::vector<std::int32_t> copy_of;      ///< for each vertex the one it doubles, or -1
   std::vector<Result_origin> origin;      ///< for each vertex
@@ -60,11 +61,10 @@ struct Result_curve
 /// \param points the points of the input
 /// \param triangle a function: the corners of triangle `i` of the input, as `for_each_triangle()` counts them
 template <class Triangles>
-std::array<double, 3> position_of(const Result_origin& o, const std::vector<std::array<double, 3>>& points,
-                                  const Triangles& triangle)
+Point position_of(const Result_origin& o, const std::vector<Point>& points, const Triangles& triangle)
 {
   if (o.kind == Result_origin::VERTEX) { return points[o.index[0]]; }
-  std::array<double, 3> p;
+  Point p;
   for (int i = 0; i < 3; ++i)
   {
     if (o.kind == Result_origin::EDGE)

@@ -340,6 +340,22 @@ private:
   std::vector<Index> m_meeting; // of each pair: the face where its chords cross, or -1
 };
 
+namespace internal {
+
+inline double length(const Normal_curves& curves, Index c)
+{
+  const Triangle_surface& s = curves.surface();
+  double sum = 0;
+  for (Index x : curves.crossings(c))
+  {
+    const Index y = curves[x].next;
+    sum += distance(s.point_on(curves.edge(x), curves[x].t), s.point_on(curves.edge(y), curves[y].t));
+  }
+  return sum;
+}
+
+} // namespace internal
+
 } // namespace meridian
 
 #endif // MERIDIAN_CURVES_NORMAL_CURVES_H

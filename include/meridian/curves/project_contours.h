@@ -3,54 +3,13 @@
 #define MERIDIAN_CURVES_PROJECT_CONTOURS_H
 
 #include <meridian/curves/contours.h>
+#include <meridian/curves/passings.h>
 #include <meridian/curves/place_crossings.h>
+#include <meridian/surface/root_edges.h>
 
 namespace meridian {
 
 namespace internal {
-
-// Where a halfedge of a refined surface lies on an edge of its root: the halfedge of the root, in the face that holds
-// the one given, and the fractions of the two ends, counted from the lower of the edge's vertices.
-struct Root_stretch
-{
-  Index halfedge;
-  Index lower;
-  std::array<double, 2> at;
-};
-
-// False if it lies inside a face of the root.
-inline bool find_stretch(const Triangle_surface& root, const Refined_surface& s, Index h, Root_stretch& found)
-{
-  std::array<Index, 2> ends;
-  if (!on_common_root_edge(s.origin(s.source(h)), s.origin(s.target(h)), ends, found.at)) { return false; }
-  const Index f = s.face_of[s.face(h)];
-  for (Index k = 3 * f; k < 3 * f + 3; ++k)
-    if (std::min(root.source(k), root.target(k)) == ends[0] && std::max(root.source(k), root.target(k)) == ends[1])
-    {
-      found.halfedge = k;
-      found.lower = ends[0];
-      return true;
-    }
-  throw Internal_error("find_stretch: an edge does not lie on the face it came from");
-}
-
-// Takes crossings out of a closed sequence that are taken back at once.
-template <class Sequence> void cancel(const Triangle_surface& s, Sequence& crossings)
-{
-  Sequence kept;
-  for (const auto& c : crossings)
-  {
-    if (!kept.empty() && s.opposite[kept.back().halfedge] == c.halfedge) { kept.pop_back(); }
-    else { kept.push_back(c); }
-  }
-  std::size_t first = 0, last = kept.size();
-  while (last - first >= 2 && s.opposite[kept[last - 1].halfedge] == kept[first].halfedge)
-  {
-    ++first;
-    --last;
-  }
-  crossings = {kept.begin() + first, kept.begin() + last};
-}
 
 // The crossings of contours with the edges of the root, in an order on every edge.
 inline std::vector<std::vector<Crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,

@@ -5,6 +5,7 @@
 #include <meridian/cut/internal/edge_trees.h>
 #include <meridian/cut/internal/straighten_paths.h>
 #include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/seams.h>
 
 #include <functional>
 #include <string>
@@ -19,24 +20,6 @@ enum class Path_ends
   FIXED, ///< at the nodes they ended at before
   SLIDE  ///< anywhere on the rest of the cut graph or the boundary
 };
-
-/// \ingroup PkgMeridianCut
-/// flags some edges of a refined surface as seam, on both sides.
-/// \param s the surface
-/// \param edges a halfedge of each, none on the boundary
-inline void flag_seam(Refined_surface& s, const std::vector<Index>& edges)
-{
-  for (Index h : edges) { s.seam[h] = s.seam[s.opposite[h]] = 1; }
-}
-
-/// \ingroup PkgMeridianCut
-/// \returns the length of some edges together
-inline double length_of_edges(const Triangle_surface& s, const std::vector<Index>& edges)
-{
-  double sum = 0;
-  for (Index h : edges) { sum += s.length(h); }
-  return sum;
-}
 
 namespace internal {
 

@@ -3,9 +3,10 @@
 #define MERIDIAN_FIELD_ORDER_SURFACE_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/field/Field.h>
 #include <meridian/field/Ordered_surface.h>
-#include <meridian/field/intrinsic_delaunay.h>
 #include <meridian/field/Sparse_solver.h>
+#include <meridian/field/intrinsic_delaunay.h>
 #include <meridian/field/solve_harmonic_field.h>
 #include <meridian/surface/measures.h>
 
@@ -13,32 +14,6 @@
 #include <string>
 
 namespace meridian {
-
-/// \ingroup PkgMeridianOrder
-/// what one may choose about a field. Vertices are those of the surface.
-struct Field_options
-{
-  Weights weights = Weights::POSITIVE;
-  std::vector<Index> minima, maxima; ///< vertices where the field is 0 and 1; both empty: two vertices far apart
-  /// one a vertex: a field to take instead of a harmonic one, such as an eigenfunction or a distance. A boundary loop
-  /// takes the mean of its vertices. Its own extrema are kept, or `minima` and `maxima` if they are given.
-  std::vector<double> values;
-  bool one_maximum = false; ///< whether only the highest maximum is kept: descending lines leave one piece for each
-  std::string values_name = "given"; ///< what `values` are, for reports
-  Solvers solvers; ///< the general one serves mean-value weights
-};
-
-/// \ingroup PkgMeridianOrder
-/// what a field was, for whoever made something of it.
-struct Field_summary
-{
-  std::string field_kind = "none";
-  std::vector<double> field;            ///< at the vertices of the surface; empty where no field was needed
-  std::vector<Critical_point> critical; ///< of the closed model, as vertices of the surface or -1
-  Critical_counts counts;
-  int order_rounds = 0, flat_regions = 0;
-  bool order_numbered = false;
-};
 
 /// \ingroup PkgMeridianOrder
 /// \returns what is worth telling about the field of `m`
@@ -188,30 +163,20 @@ inline Ordered_surface order_surface(const Triangle_surface& root, const Field_o
     if (options.weights == Weights::INTRINSIC_DELAUNAY)
     {
       const Weighted_graph joined = make_intrinsic_delaunay_graph(m.surface);
-      m.field = solve_harmonic_field(m.surface, m.graph, joined.graph, joined.weights, prescribed, options.solvers.symmetric);
+      m.field =
+        solve_harmonic_field(m.surface, m.graph, joined.graph, joined.weights, prescribed, options.solvers.symmetric);
       return;
     }
     const auto weights = edge_weights(m.surface, options.weights);
-    m.field = solve_harmonic_field(m.surface, m.graph, weights, prescribed, options.weights == Weights::MEAN_VALUE ? options.solvers.general : options.solvers.symmetric);
+    m.field = solve_harmonic_field(m.surface, m.graph, weights, prescribed,
+                                   options.weights == Weights::MEAN_VALUE ? options.solvers.general
+                                                                          : options.solvers.symmetric);
   });
   run(Stage::ORDER, [&] {
     if (options.one_maximum && maxima.size() != 1) { internal::keep_one_maximum(m, minima, maxima); }
     order_by_field(root, m, minima, maxima);
   });
   return m;
-}
-
-/// \ingroup PkgMeridianOrder
-/// \returns the root vertex nearest to a vertex of a refined surface
-inline Index root_vertex(const Triangle_surface& root, const Refined_surface& s, Index v)
-{
-  const Origin o = s.origin(v);
-  if (o.kind == Origin::FACE)
-  {
-    const auto w = std::max_element(o.weight.begin(), o.weight.end()) - o.weight.begin();
-    return root.triangles[o.index[0]][w];
-  }
-  return o.kind == Origin::EDGE && o.weight[0] > 0.5 ? o.index[1] : o.index[0];
 }
 
 } // namespace meridian

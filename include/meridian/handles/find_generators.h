@@ -2,25 +2,20 @@
 #ifndef MERIDIAN_HANDLES_FIND_GENERATORS_H
 #define MERIDIAN_HANDLES_FIND_GENERATORS_H
 
+#include <meridian/base/Stage_runner.h>
 #include <meridian/curves/place_normal_curves.h>
+#include <meridian/field/order_with_free_boundary.h>
 #include <meridian/handles/Generators.h>
+#include <meridian/handles/find_meridians.h>
 #include <meridian/handles/internal/arc_longitudes.h>
 #include <meridian/handles/internal/flow_longitudes.h>
+#include <meridian/handles/internal/project_from_filled.h>
 #include <meridian/surface/fill_boundary.h>
 #include <meridian/surface/insert_curves.h>
 
 namespace meridian {
 
 namespace internal {
-
-// The edges that a curve crosses, with fractions along the halfedges by which it leaves faces.
-inline std::vector<Passing> passings_of(const Normal_curves& curves, Index c)
-{
-  std::vector<Passing> passings;
-  for (Index x : curves.crossings(c))
-    passings.push_back({curves[x].halfedge, curves.edge(x) == curves[x].halfedge ? curves[x].t : 1 - curves[x].t});
-  return passings;
-}
 
 // Whether a closed curve rises once and falls once in a field, linear along edges.
 inline bool is_monotone(const Refined_surface& s, const std::vector<Index>& loop, const std::map<Index, double>& field)
@@ -78,10 +73,11 @@ inline Index nearest_on_surface(const Triangle_surface& root, const Filled_surfa
 // Generators on a surface that is ordered. Returns for each pair its two saddles, as vertices of `m.surface`; the
 // second may be -1. If `crossings` is given, only the edges that the curves cross are written to it. If
 // `filled` is given, `m` orders that surface.
-inline std::vector<std::pair<Index, Index>>
-find_generators(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
-                const Stage_runner& run, Generators& g, std::vector<std::vector<Passing>>* crossings = nullptr,
-                const Filled_surface* filled = nullptr)
+inline std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m,
+                                                            const Generator_options& options, const Stage_runner& run,
+                                                            Generators& g,
+                                                            std::vector<std::vector<Passing>>* crossings = nullptr,
+                                                            const Filled_surface* filled = nullptr)
 {
   std::vector<std::pair<Index, Index>> saddles;
   static_cast<Field_summary&>(g) = summarize_field(root, m, options);
@@ -117,8 +113,8 @@ find_generators(const Triangle_surface& root, const Ordered_surface& m, const Ge
     std::unique_ptr<Flow_longitudes> flow;
     if (options.flow && !filled)
     {
-      flow = std::make_unique<Flow_longitudes>(root, m, complex, curves, saddles,
-                                                                               options.tighten ? 1.02 : 1.25, options.solvers);
+      flow = std::make_unique<Flow_longitudes>(root, m, complex, curves, saddles, options.tighten ? 1.02 : 1.25,
+                                               options.solvers);
     }
     add_shortest_longitudes(curves, g.genus, run,
                             [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_HANDLES_FIND_SHORTEST_BASIS_H
 #define MERIDIAN_HANDLES_FIND_SHORTEST_BASIS_H
 
+#include <meridian/base/Stage_runner.h>
 #include <meridian/handles/find_generators.h>
 #include <meridian/handles/internal/dual_loops.h>
 
@@ -194,14 +195,12 @@ inline Homology_basis find_shortest_basis(const Triangle_surface& root, const Ba
     pair_options.flow = false;
     pair_options.solvers = options.solvers;
     pair_options.tighten = options.tighten;
-    const Ordered_surface m =
-      order_surface(root, pair_options, run_unwatched);
+    const Ordered_surface m = order_surface(root, pair_options, run_unwatched);
     Generators pairs;
     pairs.genus = basis.genus;
     Stage_times ignored;
     std::vector<std::vector<internal::Passing>> crossings;
-    internal::find_generators(
-      root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
+    internal::find_generators(root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
     loops = internal::find_dual_loops(
       root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted,
       crossings, [&](double done) { run.progress(Stage::LONGITUDES, done); });

@@ -6,8 +6,7 @@
 #include <meridian/field/Sparse_solver.h>
 #include <meridian/map/internal/dirichlet_energy.h>
 #include <meridian/map/internal/scaffold.h>
-
-#include <CGAL/Polygon_2_algorithms.h>
+#include <meridian/map/is_one_to_one.h>
 
 #include <functional>
 #include <string>
@@ -25,26 +24,6 @@ struct Distortion_options
   std::function<void(double)> progress = {}; ///< receives the part of `iterations` done; may throw to cancel
   Make_solver make_solver = make_symmetric_solver;
 };
-
-/// \ingroup PkgMeridianParameterization
-/// \returns whether a polygon does not meet itself: exact
-inline bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at)
-{
-  std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2> polygon;
-  for (Index v : loop) { polygon.emplace_back(at[v][0], at[v][1]); }
-  return CGAL::is_simple_2(polygon.begin(), polygon.end());
-}
-
-/// \ingroup PkgMeridianParameterization
-/// \returns whether a map of a disc is one-to-one: no face is turned over or without area, and the border does not meet
-///          itself. Decided exactly.
-inline bool is_one_to_one(const Triangle_surface& disc, const std::vector<Plane_point>& at)
-{
-  std::vector<Index> polygon;
-  const auto loops = boundary_loops(disc);
-  for (Index h : loops.front()) { polygon.push_back(disc.source(h)); }
-  return find_flipped_faces(disc.triangles, at).empty() && is_simple(polygon, at);
-}
 
 namespace internal {
 
@@ -87,8 +66,10 @@ inline Rest_triangle rest_as_is(const std::array<Index, 3>& t, const std::vector
 class Distortion_minimizer
 {
 public:
-  Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at, Make_solver make_solver = make_symmetric_solver)
-    : m_at(at), m_make_solver(make_solver), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)), m_row(at.size() + 4, -1)
+  Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at,
+                       Make_solver make_solver = make_symmetric_solver)
+    : m_at(at), m_make_solver(make_solver), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)),
+      m_row(at.size() + 4, -1)
   {
     const auto loops = boundary_loops(disc);
     for (Index h : loops.front()) { m_loop.push_back(disc.source(h)); }
@@ -253,7 +234,7 @@ private:
  * One factorization of twice as many equations as vertices for each step.
  */
 inline void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at,
-                         const Distortion_options& options = Distortion_options())
+                                const Distortion_options& options = Distortion_options())
 {
   internal::Distortion_minimizer minimizer(disc, options.has_free_border, at, options.make_solver);
   for (int i = 0; i < options.iterations; ++i)

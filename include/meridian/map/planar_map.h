@@ -2,22 +2,12 @@
 #ifndef MERIDIAN_MAP_PLANAR_MAP_H
 #define MERIDIAN_MAP_PLANAR_MAP_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace meridian {
-
-/// \ingroup PkgMeridianParameterization
-/// coordinates in the plane.
-using Plane_point = std::array<double, 2>;
-
-inline Plane_point operator-(const Plane_point& a, const Plane_point& b) { return {a[0] - b[0], a[1] - b[1]}; }
-inline Plane_point operator+(const Plane_point& a, const Plane_point& b) { return {a[0] + b[0], a[1] + b[1]}; }
-inline Plane_point operator*(double s, const Plane_point& a) { return {s * a[0], s * a[1]}; }
-inline double dot(const Plane_point& a, const Plane_point& b) { return a[0] * b[0] + a[1] * b[1]; }
-inline double cross(const Plane_point& a, const Plane_point& b) { return a[0] * b[1] - a[1] * b[0]; }
-inline double norm(const Plane_point& a) { return std::sqrt(dot(a, a)); }
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the sign of the area of a triangle: exact

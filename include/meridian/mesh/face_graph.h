@@ -62,8 +62,7 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
   {
     throw Invalid_input_error("a field needs a minimum and a maximum");
   }
-  const Ordered_surface m = order_surface(
-    make_triangle_surface(tm), options, run_unwatched);
+  const Ordered_surface m = order_surface(make_triangle_surface(tm), options, run_unwatched);
   for (auto v : vertices(tm)) { put(field, v, m.field(m.graph.node[number[v]])); }
 }
 
@@ -110,8 +109,7 @@ Options with_maps(Options options, const TriangleMesh& tm, const NamedParameters
 template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
           // those are for the function above
           std::enable_if_t<!std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options>, int> = 0>
-Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc,
-                     const NamedParameters& np = CGAL::parameters::default_values())
+Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
 {
   static_assert(
     internal::uses_only<internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(
@@ -120,7 +118,7 @@ Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc,
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = make_triangle_surface(tm);
-  Disc_cut cut = cut_to_disc(
+  Cut cut = cut_to_disc(
     root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
   const Verification recount = verify_cut(root, cut);
   if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
@@ -142,7 +140,7 @@ Disc_cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc,
  * \pre `refined` is empty
  */
 template <class Mesh, class EdgeIsConstrainedMap>
-void build_refined_mesh(const Disc_cut& cut, Mesh& refined, EdgeIsConstrainedMap is_cut_map)
+void build_refined_mesh(const Cut& cut, Mesh& refined, EdgeIsConstrainedMap is_cut_map)
 {
   const auto vertex = internal::build(cut.surface.points, cut.surface.triangles, refined);
   for (auto e : edges(refined)) { put(is_cut_map, e, false); }

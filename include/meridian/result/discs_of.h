@@ -90,7 +90,7 @@ inline std::vector<Index> glue_seams(const Result_mesh& result)
  * \par Complexity
  * \f$ O(n \log d) \f$ for the largest degree \f$ d \f$
  */
-inline Cut_disc cut_disc_of(const Triangle_surface& root, const Disc_cut& cut)
+inline Cut_disc cut_disc_of(const Triangle_surface& root, const Cut& cut)
 {
   Cut_disc result;
   result.disc = surface_of(cut.surface, cut.opened);

@@ -3,6 +3,7 @@
 #define MERIDIAN_SURFACE_TRIANGLE_SURFACE_H
 
 #include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
 
 #include <algorithm>
 #include <array>
@@ -12,25 +13,6 @@
 #include <vector>
 
 namespace meridian {
-
-/// \ingroup PkgMeridianSurface
-/// index of a vertex, face or halfedge; `-1` means "none".
-using Index = std::int32_t;
-
-/// \ingroup PkgMeridianSurface
-/// Cartesian coordinates.
-using Point = std::array<double, 3>;
-
-inline Point operator-(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-inline Point operator+(const Point& a, const Point& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-inline Point operator*(double s, const Point& a) { return {s * a[0], s * a[1], s * a[2]}; }
-inline double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-inline Point cross(const Point& a, const Point& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-inline double norm(const Point& a) { return std::sqrt(dot(a, a)); }
-inline double distance(const Point& a, const Point& b) { return norm(a - b); }
 
 /// \ingroup PkgMeridianSurface
 /// an oriented triangulated 2-manifold, with or without boundary, in plain arrays.

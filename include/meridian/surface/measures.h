@@ -152,6 +152,51 @@ inline std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, con
   return {from, to};
 }
 
+namespace internal {
+
+inline double length(const Triangle_surface& s, const std::vector<Index>& loop)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    sum += distance(s.points[loop[i]], s.points[loop[(i + 1) % loop.size()]]);
+  }
+  return sum;
+}
+
+} // namespace internal
+
+namespace internal {
+
+// Bounds the areas of nodes below by a tiny part of their mean.
+inline void bound_areas(std::vector<double>& areas, double sum)
+{
+  const double mean = sum / static_cast<double>(areas.size());
+  for (double& a : areas) { a = mean > 0 ? std::max(a, 1e-8 * mean) : 1; }
+}
+
+} // namespace internal
+
+/// \ingroup PkgMeridianOrder
+/// \returns the area of each node of a closed model: a third of the faces at its vertices (the lumped mass matrix).
+///          None is less than a hundred-millionth of the mean, so that the areas can be divided by; all are 1 if no
+///          face has any.
+/// \par Complexity
+/// Linear.
+inline std::vector<double> node_areas(const Triangle_surface& s, const Closed_model& g)
+{
+  std::vector<double> areas(g.number_of_nodes, 0);
+  double sum = 0;
+  for (const auto& t : s.triangles)
+  {
+    const double area = norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2;
+    for (Index v : t) { areas[g.node[v]] += area / 3; }
+    sum += area;
+  }
+  internal::bound_areas(areas, sum);
+  return areas;
+}
+
 } // namespace meridian
 
 #endif // MERIDIAN_SURFACE_MEASURES_H

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_UNWRAP_CUT_FAMILY_H
 #define MERIDIAN_UNWRAP_CUT_FAMILY_H
 
-#include <meridian/field/fields.h>
+#include <meridian/field/eigenfunctions.h>
 #include <meridian/result/assemble_result.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ struct Family_member
 {
   std::string name; ///< what makes it different: field, preference, levels or method
   Cut_options options;
-  Disc_cut cut;
+  Cut cut;
 };
 
 /*!
@@ -191,7 +191,7 @@ private:
     for (std::size_t i = 0; i < d.size(); ++i) { m_distance[i] = std::min(m_distance[i], d[i]); }
   }
 
-  static std::vector<std::array<Point, 2>> seam_points(const Disc_cut& cut)
+  static std::vector<std::array<Point, 2>> seam_points(const Cut& cut)
   {
     std::vector<std::array<Point, 2>> seams;
     for (const auto& seam : cut.opened.seams)

@@ -100,7 +100,7 @@ inline Square_border lay_out(const Refined_surface& s, const Border_strands& bor
  * \par Complexity
  * \f$ O(n + (k + N) \log k) \f$ for `k` vertices on the border and `N` grid points along a side
  */
-inline Square_border prepare_square_border(const Triangle_surface& root, Disc_cut& cut, int size)
+inline Square_border prepare_square_border(const Triangle_surface& root, Cut& cut, int size)
 {
   Triangle_surface disc = surface_of(cut.surface, cut.opened);
   internal::Border_strands border = internal::gather_border(cut.surface, cut.opened, disc);

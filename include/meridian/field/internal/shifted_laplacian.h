@@ -13,13 +13,6 @@
 namespace meridian {
 namespace internal {
 
-// Bounds the areas of nodes below by a tiny part of their mean.
-inline void bound_areas(std::vector<double>& areas, double sum)
-{
-  const double mean = sum / static_cast<double>(areas.size());
-  for (double& a : areas) { a = mean > 0 ? std::max(a, 1e-8 * mean) : 1; }
-}
-
 // The inverse of M^(-1/2) L M^(-1/2) + shift, on the complement of the constant function and of what was excluded. The
 // matrix operation of Spectra's symmetric solvers. Weights and masses are divided by the median diagonal of L and the
 // sum of the masses: so the lowest eigenvalue of a round surface is about 10 (4 pi^2 on a flat torus of squares with
@@ -30,7 +23,8 @@ public:
   using Scalar = double;
   static constexpr double shift = 1e-2;
 
-  Shifted_laplacian(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& mass, Make_solver make_solver)
+  Shifted_laplacian(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& mass,
+                    Make_solver make_solver)
     : m_root(g.number_of_nodes), m_solver(make_solver()), m_right(g.number_of_nodes)
   {
     const Index n = g.number_of_nodes;

@@ -5,6 +5,7 @@
 #include <meridian/field/order_surface.h>
 #include <meridian/handles/internal/tree_cotree.h>
 #include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/root_edges.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>

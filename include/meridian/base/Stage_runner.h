@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_BASE_STAGE_RUNNER_H
+#define MERIDIAN_BASE_STAGE_RUNNER_H
+
+#include <meridian/base/Progress_observer.h>
+
+#include <chrono>
+#include <string>
+
+namespace meridian {
+
+namespace internal {
+
+// Reports one stage to an observer that may be absent.
+class Stage_scope
+{
+public:
+  Stage_scope(Progress_observer* observer, Stage stage) : m_observer(observer), m_stage(stage)
+  {
+    if (m_observer) { m_observer->stage_started(m_stage); }
+    if (m_observer && !m_observer->go_further())
+      throw Cancelled(std::string("cancelled during stage '") + name_of(m_stage) + "'");
+  }
+  void finish() const
+  {
+    if (m_observer) { m_observer->stage_finished(m_stage); }
+  }
+
+private:
+  Progress_observer* m_observer;
+  Stage m_stage;
+};
+
+// Runs stages, with a clock.
+struct Stage_runner
+{
+  Progress_observer* observer;
+  Stage_times& seconds;
+
+  template <class Work> void operator()(Stage stage, const Work& work) const
+  {
+    const Stage_scope scope(observer, stage);
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    seconds.emplace_back(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    scope.finish();
+  }
+  // Tells how much of a stage is done, and ends the run if the observer wants that.
+  void progress(Stage stage, double done) const
+  {
+    if (!observer) { return; }
+    observer->stage_progressed(stage, done);
+    if (!observer->go_further()) { throw Cancelled(std::string("cancelled during stage '") + name_of(stage) + "'"); }
+  }
+};
+
+} // namespace internal
+
+} // namespace meridian
+
+#endif // MERIDIAN_BASE_STAGE_RUNNER_H

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CURVES_PASSINGS_H
+#define MERIDIAN_CURVES_PASSINGS_H
+
+#include <meridian/curves/Normal_curves.h>
+
+namespace meridian {
+
+namespace internal {
+
+// A crossing with an edge, by the halfedge of the face that is left.
+struct Passing
+{
+  Index halfedge;
+  double t;
+};
+
+// The edges that a curve crosses, with fractions along the halfedges by which it leaves faces.
+inline std::vector<Passing> passings_of(const Normal_curves& curves, Index c)
+{
+  std::vector<Passing> passings;
+  for (Index x : curves.crossings(c))
+    passings.push_back({curves[x].halfedge, curves.edge(x) == curves[x].halfedge ? curves[x].t : 1 - curves[x].t});
+  return passings;
+}
+
+// Takes crossings out of a closed sequence that are taken back at once.
+template <class Sequence> void cancel(const Triangle_surface& s, Sequence& crossings)
+{
+  Sequence kept;
+  for (const auto& c : crossings)
+  {
+    if (!kept.empty() && s.opposite[kept.back().halfedge] == c.halfedge) { kept.pop_back(); }
+    else { kept.push_back(c); }
+  }
+  std::size_t first = 0, last = kept.size();
+  while (last - first >= 2 && s.opposite[kept[last - 1].halfedge] == kept[first].halfedge)
+  {
+    ++first;
+    --last;
+  }
+  crossings = {kept.begin() + first, kept.begin() + last};
+}
+
+} // namespace internal
+
+} // namespace meridian
+
+#endif // MERIDIAN_CURVES_PASSINGS_H

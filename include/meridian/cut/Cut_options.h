@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CUT_CUT_OPTIONS_H
+#define MERIDIAN_CUT_CUT_OPTIONS_H
+
+#include <meridian/base/Progress_observer.h>
+#include <meridian/curves/contours.h>
+#include <meridian/curves/tighten_curves.h>
+#include <meridian/cut/join_generators.h>
+#include <meridian/cut/link_boundaries.h>
+#include <meridian/field/Field.h>
+#include <meridian/handles/preference.h>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianCut
+/// where links run.
+enum class Link_domain
+{
+  SURFACE, ///< shortest paths on the surface
+  PLANE    ///< counterimages of segments in a planar embedding, where one exists in double precision
+};
+
+/// \ingroup PkgMeridianCut
+/// what cuts the handles.
+enum class Cut_method
+{
+  CONTOURS,      ///< a meridian for each handle (Patane 2007, section 3)
+  GENERATORS,    ///< a meridian and a longitude for each handle (section 4)
+  MORSE,         ///< the descending flow lines of all saddles (Ni, Garland, Hart 2004)
+  GEODESIC,      ///< contours of the geodesic distance from a vertex (Steiner, Fischer 2002)
+  TREE_COTREE,   ///< edges: the shortest loops at a base point (Erickson, Whittlesey 2005), for the best of several
+  GEOMETRY_IMAGE ///< edges: what is left when faces are removed and keep a disc (Gu, Gortler, Hoppe 2002)
+};
+
+/// \ingroup PkgMeridianCut
+/// what is made shorter before the surface is opened.
+enum class Tightening
+{
+  NONE,   ///< curves stay as they were found
+  CURVES, ///< meridians, each within its class; links are shortest paths between them anyway
+  GRAPH   ///< the whole cut graph: its vertices move, and ways through the disc take the place of longer curves
+};
+
+/// \ingroup PkgMeridianCut
+/// \returns the name of a tightening as it stands in reports
+inline const char* name_of(Tightening t)
+{
+  return t == Tightening::NONE ? "no" : t == Tightening::CURVES ? "curves" : "graph";
+}
+
+/// \ingroup PkgMeridianCut
+/// \returns the name of a method as it stands in reports
+inline const char* name_of(Cut_method method)
+{
+  switch (method)
+  {
+  case Cut_method::CONTOURS: return "contours";
+  case Cut_method::GENERATORS: return "generators";
+  case Cut_method::MORSE: return "morse";
+  case Cut_method::GEODESIC: return "geodesic";
+  case Cut_method::TREE_COTREE: return "tree-cotree";
+  case Cut_method::GEOMETRY_IMAGE: return "geometry-image";
+  }
+  return "";
+}
+
+/// \ingroup PkgMeridianCut
+/// what one may choose about a cut. Vertices are those of the surface that is cut.
+struct Cut_options : Field_options
+{
+  Cut_method method = Cut_method::CONTOURS;
+  Generator_join join = Generator_join::SURFACE; ///< with `Cut_method::GENERATORS`
+  Preference preference = preference::gaussian_curvature;
+  Levels levels = Levels::SADDLE;
+  Tightening tightening = Tightening::CURVES;
+  Tighten_options tighten_options;
+  /// whether only edges of the surface are cut, so that there are no new vertices: meridians of contours are moved onto
+  /// edges; for other curves, and with `GRAPH`, a cut graph of edges close by is taken
+  bool on_edges = false;
+  bool refine_where_needed = false; ///< with `on_edges`: divide edges where meridians cannot be moved onto them
+  /// with `Cut_method::GEODESIC`: where distances begin, or -1; with `TREE_COTREE`: the base point
+  Index source = -1;
+  int bases = 16; ///< with `TREE_COTREE` and no source: how many base points are tried
+  Link_domain link_domain = Link_domain::SURFACE;
+  Link_options links;
+  Progress_observer* observer = nullptr;
+};
+
+} // namespace meridian
+
+#endif // MERIDIAN_CUT_CUT_OPTIONS_H

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_HANDLES_PREFERENCE_H
+#define MERIDIAN_HANDLES_PREFERENCE_H
+
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/surface/measures.h>
+
+#include <functional>
+#include <vector>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianMeridians
+/// what a preference may look at when it rates a loop.
+struct Loop_candidate
+{
+  Index saddle;        ///< vertex of the saddle on the root surface, or the root vertex nearest to it
+  Point position;      ///< of the saddle
+  Curvature curvature; ///< at that vertex; zero on the boundary
+  double length;       ///< of the loop
+  bool is_longer;      ///< whether the other loop of the saddle is shorter
+  /// \returns the mean along the loop of values at the root's vertices
+  std::function<double(const std::vector<double>&)> average;
+};
+
+/// \ingroup PkgMeridianMeridians
+/// rates a loop; the loops with the highest rates are cut first. Of two with equal rates the shorter is.
+using Preference = std::function<double(const Loop_candidate&)>;
+
+/// \ingroup PkgMeridianMeridians
+/// ready-made preferences. Those that rate saddles put the longer loop of every saddle behind the shorter loops of all.
+namespace preference {
+namespace internal {
+// rate >= 0
+inline double rate_saddle(double rate, const Loop_candidate& c)
+{
+  return c.is_longer ? -1 / (1 + std::min(rate, 1e300)) : rate;
+}
+} // namespace internal
+/// saddles of high curvature first, whatever its sign: seams there cost little distortion (the paper's choice)
+inline double gaussian_curvature(const Loop_candidate& c)
+{
+  return internal::rate_saddle(std::abs(c.curvature.gaussian), c);
+}
+/// saddles of high mean curvature first, whatever its sign
+inline double mean_curvature(const Loop_candidate& c) { return internal::rate_saddle(std::abs(c.curvature.mean), c); }
+/// short loops first
+inline double short_length(const Loop_candidate& c) { return -c.length; }
+/// loops first that run where `weight` is low: one number a vertex of the root, such as `visibility()` or what marks a
+/// region to keep away from
+inline Preference low_weight(std::vector<double> weight)
+{
+  return [weight = std::move(weight)](const Loop_candidate& c) { return -c.average(weight); };
+}
+/// loops whose saddles lie far out in direction `d` first
+inline Preference position(const Point& d)
+{
+  return [d](const Loop_candidate& c) { return dot(c.position, d); };
+}
+} // namespace preference
+
+} // namespace meridian
+
+#endif // MERIDIAN_HANDLES_PREFERENCE_H

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_SURFACE_SEAMS_H
+#define MERIDIAN_SURFACE_SEAMS_H
+
+#include <meridian/surface/Refined_surface.h>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianCut
+/// flags some edges of a refined surface as seam, on both sides.
+/// \param s the surface
+/// \param edges a halfedge of each, none on the boundary
+inline void flag_seam(Refined_surface& s, const std::vector<Index>& edges)
+{
+  for (Index h : edges) { s.seam[h] = s.seam[s.opposite[h]] = 1; }
+}
+
+/// \ingroup PkgMeridianCut
+/// \returns the length of some edges together
+inline double length_of_edges(const Triangle_surface& s, const std::vector<Index>& edges)
+{
+  double sum = 0;
+  for (Index h : edges) { sum += s.length(h); }
+  return sum;
+}
+
+/// \ingroup PkgMeridianSurface
+/// \returns the length of the seams, each edge counted once
+inline double seam_length(const Refined_surface& s)
+{
+  double sum = 0;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.seam[h] && s.edge(h) == h) { sum += s.length(h); }
+  }
+  return sum;
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_SURFACE_SEAMS_H

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_UNWRAP_UNWRAPPING_H
+#define MERIDIAN_UNWRAP_UNWRAPPING_H
+
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/map/Parameterization.h>
+#include <meridian/unwrap/square_border.h>
+
+#include <string>
+#include <vector>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianParameterization
+/// what one may choose about an unwrapping.
+struct Unwrap_options
+{
+  Cut_options cut;
+  Map_options map;
+  int family = 1; ///< how many cuts are compared
+  /// w, 0 to 1: the cut with the least (1 - w) length + w stretch is taken, the length divided by the root of the area;
+  /// if it is not 0, links are varied too
+  double stretch_weight = 0;
+  /// the cut is extended until the L2 stretch is no larger, or no extension lowers it; 0: it is not extended
+  double max_stretch = 0;
+  int extensions = 100; ///< at most
+  /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
+  int image_size = 0;
+};
+
+/// \ingroup PkgMeridianParameterization
+/// a cut that was mapped, on the way to the one returned.
+struct Unwrap_step
+{
+  std::string name;
+  double length, stretch_l2; ///< of the seams, on the surface; of the map
+  Map_method method;
+  Index flipped;           ///< faces turned over or without area; -1 if there was no map
+  bool is_taken;           ///< whether it was better than those before
+  std::string reason = {}; ///< why there was no map
+};
+
+/// \ingroup PkgMeridianParameterization
+/// a surface, cut and mapped into the plane.
+struct Unwrapping
+{
+  Cut cut;
+  Triangle_surface disc;               ///< the cut surface, taken apart
+  Parameterization map;                ///< of `disc`
+  Square_border border;                ///< with `Unwrap_options::image_size`
+  std::vector<Unwrap_step> members;    ///< of the family
+  std::vector<Unwrap_step> variations; ///< of the links
+  std::vector<Unwrap_step> extensions; ///< of the cut
+};
+
+} // namespace meridian
+
+#endif // MERIDIAN_UNWRAP_UNWRAPPING_H
