@@ -4,6 +4,8 @@
 
 #include "read_mesh.h"
 
+#include <meridian/unwrap/cut_family.h>
+
 #include <charconv>
 #include <cstdlib>
 #include <cstring>

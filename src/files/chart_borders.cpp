@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "chart_borders.h"
 
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/unwrap/cut_family.h>
+#include <meridian/unwrap/square_border.h>
 
 namespace meridian {
 namespace files {

@@ -3,6 +3,7 @@
 #define MERIDIAN_FILES_CHART_BORDERS_H
 
 #include <meridian/base/Result_mesh.h>
+#include <meridian/unwrap/square_border.h>
 
 #include <vector>
 

@@ -4,6 +4,8 @@
 
 #include "read_mesh.h"
 
+#include <meridian/base/Polygon_soup.h>
+
 namespace meridian {
 namespace files {
 

@@ -4,6 +4,7 @@
 #include "read_mesh.h"
 
 #include <meridian/base/exceptions.h>
+#include <meridian/field/Sparse_solver.h>
 
 #include <png.h>
 

@@ -3,6 +3,8 @@
 
 #include "formats.h"
 
+#include <meridian/base/Polygon_soup.h>
+
 #include <zlib.h>
 
 #include <algorithm>

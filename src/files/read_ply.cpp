@@ -2,6 +2,11 @@
 #include "Scanner.h"
 #include "formats.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/place_crossings.h>
+#include <meridian/field/Sparse_solver.h>
+
 #include <cmath>
 
 namespace meridian {
@@ -168,7 +173,7 @@ Polygon_soup read_ply(const std::string& bytes)
     has_faces |= is_face || is_strip;
     for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
     {
-      std::array<double, 3> point{0, 0, 0};
+      Point point{0, 0, 0};
       for (std::size_t k = 0; k < element.properties.size(); ++k)
       {
         const Property& p = element.properties[k];

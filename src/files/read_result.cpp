@@ -4,6 +4,9 @@
 #include "read_mesh.h"
 #include "write_texture.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Result_mesh.h>
+
 namespace meridian {
 namespace files {
 

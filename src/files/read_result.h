@@ -4,6 +4,9 @@
 
 #include "write_mesh.h"
 
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+
 namespace meridian {
 namespace files {
 
@@ -12,10 +15,10 @@ struct Result_files
 {
   Result_kind kind = Result_kind::CUT;
   Result_mesh mesh;
-  std::vector<Result_curve> curves;           // of generators, with their fields
-  std::vector<std::array<double, 2>> texture; // of an unwrapping, one a vertex of `mesh`
-  std::vector<std::int32_t> vertex_of;        // the vertex of the file that each texture coordinate belongs to
-  std::int32_t vertices = 0;                  // how many the file has
+  std::vector<Result_curve> curves;    // of generators, with their fields
+  std::vector<Plane_point> texture;    // of an unwrapping, one a vertex of `mesh`
+  std::vector<std::int32_t> vertex_of; // the vertex of the file that each texture coordinate belongs to
+  std::int32_t vertices = 0;           // how many the file has
 };
 
 // Reads a result and its map. Throws File_error.

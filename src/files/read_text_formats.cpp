@@ -3,6 +3,9 @@
 #include "Scanner.h"
 #include "formats.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/vectors.h>
+
 #include <cmath>
 #include <unordered_map>
 
@@ -22,7 +25,7 @@ std::int32_t clamped(std::int64_t i) { return i < 0 || i > 2147483646 ? -1 : sta
 
 struct Hash
 {
-  std::size_t operator()(const std::array<double, 3>& p) const
+  std::size_t operator()(const Point& p) const
   {
     std::uint64_t h = 1469598103934665603u;
     for (double x : p)
@@ -41,7 +44,7 @@ class Welder
 {
 public:
   explicit Welder(Polygon_soup& soup) : m_soup(soup) {}
-  std::int32_t operator()(std::array<double, 3> p)
+  std::int32_t operator()(Point p)
   {
     for (double& x : p) { x += 0.; } // -0 becomes 0
     const bool is_number = !std::isnan(p[0]) && !std::isnan(p[1]) && !std::isnan(p[2]);
@@ -57,7 +60,7 @@ public:
 
 private:
   Polygon_soup& m_soup;
-  std::unordered_map<std::array<double, 3>, std::int32_t, Hash> m_index;
+  std::unordered_map<Point, std::int32_t, Hash> m_index;
 };
 
 Polygon_soup read_binary_stl(const std::string& bytes, std::uint32_t n)
@@ -100,7 +103,7 @@ Polygon_soup read_off(const std::string& bytes)
   soup.points.reserve(static_cast<std::size_t>(std::min<std::int64_t>(n, static_cast<std::int64_t>(bytes.size() / 2))));
   for (std::int32_t i = 0; i < n; ++i)
   {
-    std::array<double, 3> p;
+    Point p;
     for (double& x : p) { x = in.real("a coordinate"); }
     soup.points.push_back(p);
     if (!in.at_line_end()) { in.skip_line(); } // colours, normals
@@ -149,7 +152,7 @@ Polygon_soup read_obj(const std::string& bytes)
     const std::string_view key = in.word();
     if (key == "v")
     {
-      std::array<double, 3> p;
+      Point p;
       for (double& x : p)
       {
         if (in.at_line_end()) { in.fail("a vertex has fewer than three coordinates"); }
@@ -196,7 +199,7 @@ Polygon_soup read_stl(const std::string& bytes)
     const std::string_view key = in.word();
     if (key == "vertex")
     {
-      std::array<double, 3> p;
+      Point p;
       for (double& x : p) { x = in.real("a coordinate"); }
       corners.push_back(weld(p));
     }

@@ -2,6 +2,9 @@
 #include "Scanner.h"
 #include "formats.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/field/Scalar_field.h>
+
 #include <pugixml.hpp>
 #include <zlib.h>
 namespace meridian {

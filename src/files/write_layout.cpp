@@ -4,6 +4,13 @@
 #include "Text.h"
 #include "chart_borders.h"
 
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/find_crossing_loop.h>
+#include <meridian/field/intrinsic_delaunay.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/unwrap/square_border.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -87,7 +94,7 @@ private:
 class Layout
 {
 public:
-  Layout(const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture) : m_mesh(mesh)
+  Layout(const Result_mesh& mesh, const std::vector<Plane_point>& texture) : m_mesh(mesh)
   {
     for (const auto& t : texture) { m_at.push_back({std::llround(t[0] * side), std::llround((1 - t[1]) * side)}); }
     m_out << "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-20 -20 1040 1090\" width=\"1040\" height=\"1090\" "
@@ -217,7 +224,7 @@ private:
 
 } // namespace
 
-std::string format_layout(const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture,
+std::string format_layout(const Result_mesh& mesh, const std::vector<Plane_point>& texture,
                           const std::vector<double>& distortion)
 {
   Layout layout(mesh, texture);

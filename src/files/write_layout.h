@@ -3,6 +3,7 @@
 #define MERIDIAN_FILES_WRITE_LAYOUT_H
 
 #include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
 
 #include <array>
 #include <string>
@@ -16,7 +17,7 @@ namespace files {
 //
 // `texture` has the place of each vertex in the unit square, `distortion` a number for each face: 1 is none, more is
 // red, less is blue; beyond 1/4 and 4 colours stay as they are.
-std::string format_layout(const Result_mesh& mesh, const std::vector<std::array<double, 2>>& texture,
+std::string format_layout(const Result_mesh& mesh, const std::vector<Plane_point>& texture,
                           const std::vector<double>& distortion);
 
 } // namespace files

@@ -5,6 +5,9 @@
 #include "Text.h"
 #include "read_mesh.h"
 
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -114,7 +117,7 @@ std::string format_mesh(const std::string& path, const Result_mesh& mesh, const 
   return formatter(path)(mesh, values);
 }
 
-std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Result_curve>& curves)
+std::string format_curves(const std::vector<Point>& points, const std::vector<Result_curve>& curves)
 {
   Text out;
   std::map<std::int32_t, std::size_t> place;

@@ -3,6 +3,7 @@
 #define MERIDIAN_FILES_WRITE_MESH_H
 
 #include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
 
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ struct Face_values
 std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values = {});
 
 // The points of curves and one line element a curve, as OBJ.
-std::string format_curves(const std::vector<std::array<double, 3>>& points, const std::vector<Result_curve>& curves);
+std::string format_curves(const std::vector<Point>& points, const std::vector<Result_curve>& curves);
 
 // A mesh with curves on it, as OBJ: a group and a line element each.
 std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<Result_curve>& curves);

@@ -5,6 +5,10 @@
 #include "Text.h"
 #include "read_mesh.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+
 #include <cmath>
 
 namespace meridian {
@@ -15,7 +19,7 @@ namespace {
 // Whether the faces [first, last) of a result are the fan of polygon `p` of the input, each corner with one vertex of
 // the opened mesh in all of them. If so, `corners` receives these, in the order of the file.
 bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh,
-              const std::vector<std::array<double, 2>>& texture, std::size_t first, std::size_t last,
+              const std::vector<Plane_point>& texture, std::size_t first, std::size_t last,
               std::vector<std::int32_t>& corners)
 {
   const std::size_t n = input.size(p);
@@ -99,7 +103,7 @@ template <std::size_t N> std::array<double, N> read_coordinates(Scanner& in, con
 } // namespace
 
 std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
-                             const std::vector<std::array<double, 2>>& texture, const std::string& material_library)
+                             const std::vector<Plane_point>& texture, const std::string& material_library)
 {
   Text out;
   if (!material_library.empty()) { out << "mtllib " << material_library << '\n'; }
@@ -132,13 +136,13 @@ std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
   return out.take();
 }
 
-void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<std::array<double, 2>>& texture,
+void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plane_point>& texture,
                     std::vector<std::int32_t>& vertex_of, std::int32_t& vertices)
 {
   if (format_of(path) != "obj") { throw File_error(path + ": meshes with texture coordinates are OBJ files"); }
   const std::string bytes = read_bytes(path);
   Scanner in(bytes, path.c_str(), '#');
-  std::vector<std::array<double, 3>> points;
+  std::vector<Point> points;
   std::vector<std::array<std::int32_t, 2>> corners;
   mesh.faces.clear();
   texture.clear();
@@ -146,10 +150,10 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<std:
   while (!in.at_end())
   {
     const std::string_view key = in.word();
-    if (key == "v") { points.push_back(read_coordinates<3>(in, "a vertex")); }
+    if (key == "v") { points.push_back({read_coordinates<3>(in, "a vertex")}); }
     else if (key == "vt")
     {
-      texture.push_back(read_coordinates<2>(in, "a texture vertex"));
+      texture.push_back({read_coordinates<2>(in, "a texture vertex")});
       vertex_of.push_back(-1);
     }
     else if (key == "f")

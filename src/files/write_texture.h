@@ -2,7 +2,9 @@
 #ifndef MERIDIAN_FILES_WRITE_TEXTURE_H
 #define MERIDIAN_FILES_WRITE_TEXTURE_H
 
+#include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
 
 #include <array>
 #include <string>
@@ -18,12 +20,12 @@ namespace files {
 //
 // `mesh` is an opened mesh whose copies follow the other vertices; `texture` has one entry a vertex.
 std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
-                             const std::vector<std::array<double, 2>>& texture, const std::string& material_library);
+                             const std::vector<Plane_point>& texture, const std::string& material_library);
 
 // The other way. `mesh` receives the points and faces of the opened mesh, one vertex for each `vt`, polygons cut by a
 // fan from their corner whose `v` is lowest; nothing else of it is touched. `vertex_of` receives the `v` of each `vt`,
 // `vertices` how many there are. A `vt` that no corner names belongs to the `v` of the same number. Throws File_error.
-void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<std::array<double, 2>>& texture,
+void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plane_point>& texture,
                     std::vector<std::int32_t>& vertex_of, std::int32_t& vertices);
 
 // A material library for OBJ, with the one material `checkerboard`: an image, unshaded.

@@ -3,6 +3,9 @@
 
 #include "embed.h"
 
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Refined_surface.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

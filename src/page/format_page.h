@@ -2,7 +2,10 @@
 #ifndef MERIDIAN_PAGE_FORMAT_PAGE_H
 #define MERIDIAN_PAGE_FORMAT_PAGE_H
 
-#include <meridian/result/assemble_result.h>
+#include <meridian/result/Assembled_result.h>
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Triangle_surface.h>
 
 namespace meridian {
 namespace page {

@@ -4,6 +4,10 @@
 #include "embed.h"
 #include "files/chart_borders.h"
 
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+#include <meridian/unwrap/square_border.h>
+
 #include <algorithm>
 
 MERIDIAN_EMBED(meridian_unwrap_page, MERIDIAN_UNWRAP_PAGE)
@@ -13,9 +17,9 @@ namespace meridian {
 namespace page {
 
 std::string format_unwrap_page(const std::string& title, const std::string& caption, const Result_mesh& mesh,
-                               const std::vector<std::array<double, 2>>& texture, const std::vector<double>& distortion)
+                               const std::vector<Plane_point>& texture, const std::vector<double>& distortion)
 {
-  std::array<double, 3> low = mesh.points[mesh.faces.front()[0]], high = low;
+  Point low = mesh.points[mesh.faces.front()[0]], high = low;
   for (const auto& f : mesh.faces)
     for (std::int32_t v : f)
       for (std::size_t i = 0; i < 3; ++i)

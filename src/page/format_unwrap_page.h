@@ -3,6 +3,7 @@
 #define MERIDIAN_PAGE_FORMAT_UNWRAP_PAGE_H
 
 #include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
 
 #include <array>
 #include <string>
@@ -17,8 +18,7 @@ namespace page {
 // `mesh` is an opened mesh whose copies follow the other vertices; `texture` has the place of each vertex in the unit
 // square, `distortion` a number for each face: 1 is none.
 std::string format_unwrap_page(const std::string& title, const std::string& caption, const Result_mesh& mesh,
-                               const std::vector<std::array<double, 2>>& texture,
-                               const std::vector<double>& distortion);
+                               const std::vector<Plane_point>& texture, const std::vector<double>& distortion);
 
 } // namespace page
 } // namespace meridian

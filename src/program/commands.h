@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_COMMANDS_H
 #define MERIDIAN_COMMANDS_H
 
-#include <meridian/surface/Triangle_surface.h>
+#include <meridian/base/vectors.h>
 
 #include <stdexcept>
 #include <string>

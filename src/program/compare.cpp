@@ -1,8 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut.h"
 #include "files/read_result.h"
-#include "instances.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/map/distortion.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/discs_of.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/unwrap/compare_parameterizations.h>
 #include <meridian/unwrap/cut_family.h>
 
 #include <iostream>

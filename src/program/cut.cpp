@@ -2,8 +2,25 @@
 #include "cut.h"
 
 #include "files/write_mesh.h"
-#include "instances.h"
 #include "page/format_page.h"
+
+#include <meridian/base/Progress_observer.h>
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/cut/join_generators.h>
+#include <meridian/field/Sparse_solver.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/assemble_result.h>
+#include <meridian/result/name_curves.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
 
 #include <chrono>
 #include <iostream>

@@ -8,7 +8,11 @@
 #include "files/Output_files.h"
 #include "report.h"
 
-#include <meridian/result/assemble_result.h>
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/Verification.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/result/name_curves.h>
 
 #include <functional>
 

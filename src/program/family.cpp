@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut.h"
 #include "files/write_mesh.h"
-#include "instances.h"
 
+#include <meridian/base/exceptions.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
 #include <meridian/unwrap/cut_family.h>
 
 #include <iomanip>

@@ -4,8 +4,17 @@
 #include "files/read_values.h"
 #include "files/write_mesh.h"
 
-#include "instances.h"
-
+#include <meridian/base/Stage_runner.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/contours.h>
+#include <meridian/field/Field.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/field/eigenfunctions.h>
+#include <meridian/field/geodesic_distance.h>
+#include <meridian/handles/preference.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/surface/measures.h>
 #include <meridian/surface/visibility.h>
 
 #include <algorithm>

@@ -4,6 +4,11 @@
 
 #include "commands.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/contours.h>
+#include <meridian/field/Field.h>
+#include <meridian/handles/preference.h>
 #include <meridian/surface/examine_surface.h>
 
 namespace meridian {

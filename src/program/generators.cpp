@@ -3,12 +3,24 @@
 #include "field_arguments.h"
 #include "files/Output_files.h"
 #include "files/write_mesh.h"
-#include "instances.h"
 #include "page/format_page.h"
 #include "report.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Progress_observer.h>
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/handles/Generators.h>
 #include <meridian/handles/classify_generators.h>
+#include <meridian/handles/find_generators.h>
+#include <meridian/handles/find_shortest_basis.h>
+#include <meridian/proof/verify_generators.h>
 #include <meridian/result/assemble_result.h>
+#include <meridian/result/name_curves.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/examine_surface.h>
 
 #include <chrono>
 #include <iostream>

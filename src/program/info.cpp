@@ -3,6 +3,9 @@
 #include "files/Output_files.h"
 #include "report.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/surface/examine_surface.h>
+
 #include <iostream>
 
 namespace meridian {

@@ -2,6 +2,8 @@
 #include "commands.h"
 #include "files/read_mesh.h"
 
+#include <meridian/base/exceptions.h>
+
 #include <CLI/CLI.hpp>
 
 #include <csignal>

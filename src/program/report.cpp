@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Progress_observer.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/vectors.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/field/Field.h>
+#include <meridian/handles/Generators.h>
+#include <meridian/handles/find_shortest_basis.h>
+#include <meridian/surface/examine_surface.h>
+
 namespace meridian {
 namespace program {
 

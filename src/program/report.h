@@ -2,10 +2,12 @@
 #ifndef MERIDIAN_REPORT_H
 #define MERIDIAN_REPORT_H
 
-#include <meridian/cut/cut_to_disc.h>
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Verification.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/handles/Generators.h>
 #include <meridian/handles/find_shortest_basis.h>
-#include <meridian/proof/verify_cut.h>
-#include <meridian/proof/verify_generators.h>
 #include <meridian/surface/examine_surface.h>
 
 #include <nlohmann/json.hpp>

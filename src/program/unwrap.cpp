@@ -4,13 +4,28 @@
 #include "files/write_layout.h"
 #include "files/write_mesh.h"
 #include "files/write_texture.h"
-#include "instances.h"
 #include "page/format_unwrap_page.h"
 
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/map/Parameterization.h>
+#include <meridian/map/distortion.h>
 #include <meridian/map/pack_charts.h>
+#include <meridian/map/planar_map.h>
 #include <meridian/proof/verify_unwrapping.h>
+#include <meridian/result/name_curves.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/cut_family.h>
 #include <meridian/unwrap/geometry_image.h>
 #include <meridian/unwrap/measure_round_trip.h>
+#include <meridian/unwrap/unwrap_surface.h>
 
 #include <chrono>
 #include <filesystem>

@@ -4,7 +4,13 @@
 #include "files/read_result.h"
 #include "report.h"
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/list_elements.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/proof/verify_generators.h>
 #include <meridian/proof/verify_unwrapping.h>
+#include <meridian/result/recount.h>
 
 #include <algorithm>
 #include <iostream>

@@ -4,8 +4,6 @@
 
 #include <meridian/base/vectors.h>
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -22,11 +20,7 @@ struct Polygon_soup
   std::size_t number_of_polygons() const { return begin.size() - 1; }
   std::size_t size(std::size_t i) const { return begin[i + 1] - begin[i]; }
   std::int32_t corner(std::size_t i, std::size_t k) const { return corners[begin[i] + k]; }
-  void add_polygon(const std::int32_t* first, std::size_t n)
-  {
-    corners.insert(corners.end(), first, first + n);
-    begin.push_back(corners.size());
-  }
+  void add_polygon(const std::int32_t* first, std::size_t n);
 };
 
 /// \ingroup PkgMeridianSurface

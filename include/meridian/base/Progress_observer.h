@@ -2,11 +2,7 @@
 #ifndef MERIDIAN_BASE_PROGRESS_OBSERVER_H
 #define MERIDIAN_BASE_PROGRESS_OBSERVER_H
 
-#include <meridian/base/exceptions.h>
-
-#include <chrono>
 #include <functional>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,28 +31,7 @@ enum class Stage
 
 /// \ingroup PkgMeridianProgress
 /// \returns the name of a stage as it stands in reports
-inline const char* name_of(Stage stage)
-{
-  switch (stage)
-  {
-  case Stage::EXTREMA: return "extrema";
-  case Stage::FIELD: return "field";
-  case Stage::ORDER: return "order";
-  case Stage::CONTOURS: return "contours";
-  case Stage::MERIDIANS: return "meridians";
-  case Stage::FLOW: return "flow";
-  case Stage::LONGITUDES: return "longitudes";
-  case Stage::TIGHTEN: return "tighten";
-  case Stage::INSERT: return "insert";
-  case Stage::CLASSIFY: return "classify";
-  case Stage::LINKS: return "links";
-  case Stage::SHORTEN: return "shorten";
-  case Stage::OPEN: return "open";
-  case Stage::PARAMETERIZE: return "parameterize";
-  case Stage::VERIFY: return "verify";
-  }
-  return "";
-}
+const char* name_of(Stage stage);
 
 /// \ingroup PkgMeridianProgress
 /// base class of the objects that watch a run. Virtual, so that `override` rejects a misspelt hook.

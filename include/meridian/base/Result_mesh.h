@@ -2,7 +2,6 @@
 #ifndef MERIDIAN_BASE_RESULT_MESH_H
 #define MERIDIAN_BASE_RESULT_MESH_H
 
-#include <meridian/base/Polygon_soup.h>
 #include <meridian/base/vectors.h>
 
 #include <array>

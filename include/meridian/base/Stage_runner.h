@@ -5,7 +5,6 @@
 #include <meridian/base/Progress_observer.h>
 
 #include <chrono>
-#include <string>
 
 namespace meridian {
 
@@ -15,12 +14,7 @@ namespace internal {
 class Stage_scope
 {
 public:
-  Stage_scope(Progress_observer* observer, Stage stage) : m_observer(observer), m_stage(stage)
-  {
-    if (m_observer) { m_observer->stage_started(m_stage); }
-    if (m_observer && !m_observer->go_further())
-      throw Cancelled(std::string("cancelled during stage '") + name_of(m_stage) + "'");
-  }
+  Stage_scope(Progress_observer* observer, Stage stage);
   void finish() const
   {
     if (m_observer) { m_observer->stage_finished(m_stage); }
@@ -46,12 +40,7 @@ struct Stage_runner
     scope.finish();
   }
   // Tells how much of a stage is done, and ends the run if the observer wants that.
-  void progress(Stage stage, double done) const
-  {
-    if (!observer) { return; }
-    observer->stage_progressed(stage, done);
-    if (!observer->go_further()) { throw Cancelled(std::string("cancelled during stage '") + name_of(stage) + "'"); }
-  }
+  void progress(Stage stage, double done) const;
 };
 
 } // namespace internal

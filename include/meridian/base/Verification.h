@@ -2,7 +2,6 @@
 #ifndef MERIDIAN_BASE_VERIFICATION_H
 #define MERIDIAN_BASE_VERIFICATION_H
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>

@@ -2,9 +2,11 @@
 #ifndef MERIDIAN_CURVES_CONTOURS_H
 #define MERIDIAN_CURVES_CONTOURS_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/field/Ordered_surface.h>
+#include <meridian/surface/Surface_curve.h>
 
-#include <set>
+#include <vector>
 
 namespace meridian {
 
@@ -33,81 +35,22 @@ inline bool rises_through(const Ordered_surface& m, Index h, Index level)
 /// \par Complexity
 /// Linear in the number of edges crossed. Every step is decided by comparing ranks, so the contour is closed and
 /// simple.
-inline Contour trace_contour(const Ordered_surface& m, Index start, Index level)
-{
-  Contour c;
-  c.level = level;
-  Index h = start;
-  do {
-    c.halfedges.push_back(h);
-    const Index o = m.surface.opposite[h];
-    h = m.rank[m.surface.apex(o)] > level ? m.surface.next(o) : m.surface.prev(o);
-  } while (h != start);
-  return c;
-}
+Contour trace_contour(const Ordered_surface& m, Index start, Index level);
 
 /// \ingroup PkgMeridianContours
 /// \returns all contours at `level`, each once
 /// \par Complexity
 /// Linear in the size of the surface.
-inline std::vector<Contour> trace_level(const Ordered_surface& m, Index level)
-{
-  std::vector<Contour> contours;
-  std::vector<char> seen(m.surface.number_of_halfedges(), 0);
-  for (Index h = 0; h < m.surface.number_of_halfedges(); ++h)
-  {
-    if (seen[h] || m.surface.opposite[h] < 0 || !rises_through(m, h, level)) { continue; }
-    contours.push_back(trace_contour(m, h, level));
-    for (Index crossed : contours.back().halfedges) { seen[crossed] = 1; }
-  }
-  return contours;
-}
+std::vector<Contour> trace_level(const Ordered_surface& m, Index level);
 
 /// \ingroup PkgMeridianContours
 /// \returns where a contour crosses halfedge `h`, as a fraction from its source, by linear interpolation of the field
 ///          in the finest scale that the edge has; 1/2 where the order goes against the field
-inline double crossing_fraction(const Ordered_surface& m, Index h, Index level)
-{
-  const Index a = m.graph.node[m.surface.source(h)], b = m.graph.node[m.surface.target(h)];
-  const Index below = m.order.nodes[level], above = m.order.nodes[level + 1];
-  const Index r = std::max(m.field.region_of(a), m.field.region_of(b));
-  const double from = m.field.value_in(r, a), to = m.field.value_in(r, b);
-  const double at = (m.field.value_in(r, below) + m.field.value_in(r, above)) / 2;
-  if (!(from < to)) { return 0.5; }
-  if (!(at > from)) { return 0; }
-  if (!(at < to)) { return 1; }
-  return std::min((at - from) / (to - from), 1.);
-}
+double crossing_fraction(const Ordered_surface& m, Index h, Index level);
 
 /// \ingroup PkgMeridianContours
 /// \returns the length of a contour
-inline double length(const Ordered_surface& m, const Contour& c)
-{
-  Surface_curve curve;
-  curve.closed = true;
-  for (Index h : c.halfedges) { curve.points.push_back(Curve_point::on_edge(h, crossing_fraction(m, h, c.level))); }
-  return length(m.surface, curve);
-}
-
-namespace internal {
-
-// A halfedge that rises through `level`, reached from halfedge `h` by always going on to the highest (lowest) node.
-// With no critical node on the way, it lies on the contour that the one through `h` becomes at `level`.
-inline Index climb(const Ordered_surface& m, Index h, Index level, bool up)
-{
-  while (up ? m.rank[m.surface.target(h)] <= level : m.rank[m.surface.target(h)] > level)
-  {
-    Index best = -1;
-    for_each_around_node(m.surface, m.surface.target(h), [&](Index g) {
-      const Index r = m.rank[m.surface.target(g)];
-      if (best < 0 || (up ? r > m.rank[m.surface.target(best)] : r < m.rank[m.surface.target(best)])) { best = g; }
-    });
-    h = best;
-  }
-  return up ? h : m.surface.opposite[h];
-}
-
-} // namespace internal
+double length(const Ordered_surface& m, const Contour& c);
 
 /*!
  * \ingroup PkgMeridianContours
@@ -124,63 +67,7 @@ inline Index climb(const Ordered_surface& m, Index h, Index level, bool up)
  * \par Complexity
  * Linear in the number of edges crossed.
  */
-inline std::vector<Contour> trace_saddle_loops(const Ordered_surface& m, double away = 0.25)
-{
-  std::vector<Contour> loops;
-  const std::vector<Critical_point> critical = find_critical_points(m.surface, m.rank);
-  std::vector<Index> ranks;
-  for (const Critical_point& p : critical) { ranks.push_back(m.rank[p.vertex]); }
-  std::sort(ranks.begin(), ranks.end());
-  for (const Critical_point& p : critical)
-  {
-    if (p.kind != Critical_kind::SADDLE) { continue; }
-    const Index rank = m.rank[p.vertex];
-    std::array<Index, 2> up{-1, -1}, down{-1, -1}; // a halfedge into each sector
-    std::vector<std::pair<Index, bool>> spokes;
-    for_each_around_node(m.surface, p.vertex,
-                         [&](Index h) { spokes.emplace_back(h, m.rank[m.surface.target(h)] > rank); });
-    int ups = 0, downs = 0;
-    for (std::size_t i = 0; i < spokes.size(); ++i)
-      if (spokes[i].second != spokes[(i + spokes.size() - 1) % spokes.size()].second)
-      {
-        if (spokes[i].second ? ups == 2 : downs == 2)
-        {
-          throw Internal_error("trace_saddle_loops: a saddle is not simple");
-        }
-        (spokes[i].second ? up[ups++] : down[downs++]) = spokes[i].first;
-      }
-    const auto here = std::lower_bound(ranks.begin(), ranks.end(), rank);
-    const Index level_up = rank + static_cast<Index>(away * (*std::next(here) - rank - 1));
-    const Index level_down = rank - 1 - static_cast<Index>(away * (rank - 1 - *std::prev(here)));
-    const auto pair_at = [&](const std::array<Index, 2>& sectors, Index level, bool is_up) {
-      Contour one = trace_contour(m, internal::climb(m, sectors[0], level, is_up), level);
-      const Index start = internal::climb(m, sectors[1], level, is_up);
-      if (std::find(one.halfedges.begin(), one.halfedges.end(), start) != one.halfedges.end()) { return false; }
-      Contour two = trace_contour(m, start, level);
-      one.saddle = two.saddle = p.vertex;
-      (length(m, one) > length(m, two) ? one : two).is_longer = true;
-      loops.push_back(std::move(one));
-      loops.push_back(std::move(two));
-      return true;
-    };
-    if (!pair_at(up, level_up, true) && !pair_at(down, level_down, false))
-      throw Internal_error("trace_saddle_loops: the contours of a saddle do not part");
-  }
-  std::vector<std::array<Index, 4>> key; // level, smallest halfedge, longer or not, place
-  for (std::size_t i = 0; i < loops.size(); ++i)
-    key.push_back({loops[i].level, *std::min_element(loops[i].halfedges.begin(), loops[i].halfedges.end()),
-                   static_cast<Index>(loops[i].is_longer), static_cast<Index>(i)});
-  std::sort(key.begin(), key.end());
-  std::vector<char> is_repeated(loops.size(), 0);
-  for (std::size_t i = 1; i < key.size(); ++i)
-    is_repeated[key[i][3]] = key[i][0] == key[i - 1][0] && key[i][1] == key[i - 1][1];
-  std::vector<Contour> unique;
-  for (std::size_t i = 0; i < loops.size(); ++i)
-  {
-    if (!is_repeated[i]) { unique.push_back(std::move(loops[i])); }
-  }
-  return unique;
-}
+std::vector<Contour> trace_saddle_loops(const Ordered_surface& m, double away = 0.25);
 
 /// \ingroup PkgMeridianContours
 /// where on its arc of the Reeb graph the loop of a saddle is taken.
@@ -203,48 +90,8 @@ enum class Levels
  * \par Complexity
  * \f$ O(k \log k) \f$ for the `k` nodes that are swept, and linear in the crossings of the contours tried
  */
-inline Contour find_tightest_contour(const Ordered_surface& m, const Contour& loop,
-                                     const std::vector<char>& is_critical, int samples = 24)
-{
-  Contour best = loop;
-  double shortest = length(m, loop);
-  for (const bool up : {true, false})
-  {
-    // The nodes that the contour passes one after the other, up to the first critical one.
-    std::set<Index> next; // ranks, or below the contour their opposites
-    const auto reach = [&](Index v) {
-      const Index r = m.rank[v];
-      if (up ? r > loop.level : r <= loop.level) { next.insert(up ? r : -r); }
-    };
-    for (Index h : loop.halfedges) { reach(up ? m.surface.target(h) : m.surface.source(h)); }
-    std::vector<Index> passed;
-    while (!next.empty())
-    {
-      const Index r = up ? *next.begin() : -*next.begin(), node = m.order.nodes[r];
-      next.erase(next.begin());
-      if (is_critical[node]) { break; }
-      passed.push_back(r);
-      for_each_around_node(m.surface, m.graph.representative[node], [&](Index h) {
-        if (up ? m.rank[m.surface.target(h)] > r : m.rank[m.surface.target(h)] < r) { reach(m.surface.target(h)); }
-      });
-    }
-    for (int i = 1; i <= samples; ++i)
-    {
-      const std::size_t k = passed.size() * i / samples;
-      if (k == 0 || k == passed.size() * (i - 1) / samples) { continue; }
-      const Index level = up ? passed[k - 1] : passed[k - 1] - 1;
-      const Index h = loop.halfedges.front();
-      Contour c = trace_contour(m, internal::climb(m, up ? h : m.surface.opposite[h], level, up), level);
-      c.saddle = loop.saddle;
-      c.is_longer = loop.is_longer;
-      const double l = length(m, c);
-      if (!(l < shortest)) { continue; }
-      shortest = l;
-      best = std::move(c);
-    }
-  }
-  return best;
-}
+Contour find_tightest_contour(const Ordered_surface& m, const Contour& loop, const std::vector<char>& is_critical,
+                              int samples = 24);
 
 } // namespace meridian
 

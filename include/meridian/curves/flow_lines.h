@@ -2,12 +2,16 @@
 #ifndef MERIDIAN_CURVES_FLOW_LINES_H
 #define MERIDIAN_CURVES_FLOW_LINES_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/field/Ordered_surface.h>
+#include <meridian/field/critical_points.h>
+#include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Surface_curve.h>
 
-#include <limits>
 #include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -40,33 +44,10 @@ public:
   /// \param m an ordered surface whose saddles are simple
   /// \param descend whether lines go down
   /// \param critical its critical points, as `find_critical_points(m.surface, m.rank)` gives them
-  Flow_tracer(const Ordered_surface& m, bool descend, const std::vector<Critical_point>& critical)
-    : m_ordered(m), m_surface(m.surface), m_descends(descend), m_kind(m.graph.number_of_nodes, REGULAR)
-  {
-    for (const Critical_point& p : critical)
-      m_kind[node(p.vertex)] = p.kind == Critical_kind::SADDLE                 ? SADDLE
-                               : (p.kind == Critical_kind::MINIMUM) == descend ? BOTTOM
-                                                                               : TOP;
-  }
+  Flow_tracer(const Ordered_surface& m, bool descend, const std::vector<Critical_point>& critical);
 
   /// traces the two lines of a saddle
-  void trace(Index saddle)
-  {
-    std::vector<Index> spokes;
-    for_each_around_node(m_surface, saddle, [&](Index h) { spokes.push_back(h); });
-    const std::size_t n = spokes.size();
-    std::size_t first = 0; // a spoke upwards before one downwards
-    while (is_down(spokes[first], saddle) || !is_down(spokes[(first + 1) % n], saddle)) { ++first; }
-    std::vector<std::vector<Index>> sectors;
-    for (std::size_t i = 1; i <= n; ++i)
-    {
-      const Index h = spokes[(first + i) % n];
-      if (!is_down(h, saddle)) { continue; }
-      if (!is_down(spokes[(first + i - 1) % n], saddle)) { sectors.emplace_back(); }
-      sectors.back().push_back(h);
-    }
-    for (const auto& sector : sectors) { trace_line(sector); }
-  }
+  void trace(Index saddle);
 
   const std::vector<Flow_line>& lines() const { return m_lines; }
 
@@ -96,82 +77,22 @@ private:
   bool is_sink(Index v) const { return m_kind[node(v)] == BOTTOM || m_surface.is_boundary_vertex(v); }
 
   // Downwards in a face, as a vector in it, by the field in the finest scale of its corners.
-  Point slope(Index f) const
-  {
-    const auto& t = m_surface.triangles[f];
-    Index region = 0;
-    for (Index v : t) { region = std::max(region, m_ordered.field.region_of(node(v))); }
-    const auto value = [&](int k) { return m_ordered.field.value_in(region, node(t[k])); };
-    const Point &a = m_surface.points[t[0]], &b = m_surface.points[t[1]], &c = m_surface.points[t[2]];
-    const Point n = normal(f);
-    const double area = dot(n, n);
-    if (!(area > 0)) { return {0, 0, 0}; }
-    return ((m_descends ? -1 : 1) / area)
-           * ((value(1) - value(0)) * cross(n, a - c) + (value(2) - value(0)) * cross(n, b - a));
-  }
-  Point normal(Index f) const
-  {
-    const auto& t = m_surface.triangles[f];
-    return cross(m_surface.points[t[1]] - m_surface.points[t[0]], m_surface.points[t[2]] - m_surface.points[t[0]]);
-  }
-  Point outwards(Index h) const
-  {
-    return cross(m_surface.points[m_surface.target(h)] - m_surface.points[m_surface.source(h)],
-                 normal(m_surface.face(h)));
-  }
+  Point slope(Index f) const;
+  Point normal(Index f) const;
+  Point outwards(Index h) const;
   bool flows_out(Index h) const { return dot(slope(m_surface.face(h)), outwards(h)) > 0; }
   // The halfedge by which lines cross an edge, leaving its face, or -1 if they slide along it.
-  Index passage(Index h) const
-  {
-    const Index o = m_surface.opposite[h];
-    if (o < 0 || m_runs.count(m_surface.edge(h))) { return -1; }
-    const bool here = flows_out(h), there = flows_out(o);
-    return here == there ? -1 : here ? h : o;
-  }
+  Index passage(Index h) const;
   // How far along `h` the way down from point `p` of its face leaves through it, and when; never if it does not.
-  std::pair<double, double> leave(Index h, const Point& p) const
-  {
-    const Point &a = m_surface.points[m_surface.source(h)], e = m_surface.points[m_surface.target(h)] - a;
-    const Point d = slope(m_surface.face(h)), out = outwards(h);
-    const double speed = dot(d, out);
-    if (!(speed > 0)) { return {0.5, std::numeric_limits<double>::infinity()}; }
-    const double time = dot(a - p, out) / speed;
-    return {dot(p + time * d - a, e) / dot(e, e), time};
-  }
+  std::pair<double, double> leave(Index h, const Point& p) const;
 
-  Curve_point point_on(Index h, const Portal& portal) const
-  {
-    const Index e = m_surface.edge(h);
-    return {-1, h, e == h ? portal.t : 1 - portal.t, e};
-  }
+  Curve_point point_on(Index h, const Portal& portal) const;
   // Brings the line to the portal of `h`, which `t` places if it is new. \returns whether the line ends there on
   // another.
-  bool reach_portal(Flow_line& line, Index h, double t)
-  {
-    t = t > margin ? std::min(t, 1 - margin) : margin;
-    const auto line_number = static_cast<Index>(m_lines.size());
-    const auto [at, is_new] =
-      m_portals.try_emplace(m_surface.edge(h), Portal{m_surface.edge(h) == h ? t : 1 - t, line_number});
-    line.curve.points.push_back(point_on(h, at->second));
-    return !is_new && join(line, at->second.line);
-  }
+  bool reach_portal(Flow_line& line, Index h, double t);
   // The same for a vertex.
-  bool reach_vertex(Flow_line& line, Index v)
-  {
-    line.curve.points.push_back(Curve_point::on_vertex(v));
-    if (m_kind[node(v)] != REGULAR || m_surface.is_boundary_vertex(v))
-    {
-      line.end = v;
-      return true;
-    }
-    const auto [at, is_new] = m_visited.try_emplace(v, static_cast<Index>(m_lines.size()));
-    return !is_new && join(line, at->second);
-  }
-  bool join(Flow_line& line, Index other)
-  {
-    line.joined = other;
-    return true;
-  }
+  bool reach_vertex(Flow_line& line, Index v);
+  bool join(Flow_line& line, Index other);
 
   // What a line does from a vertex: the steepest of the ways into faces and along edges, among halfedges to lower
   // neighbours.
@@ -181,118 +102,13 @@ private:
     bool along = true;
     double t = 0.5, speed = -1;
   };
-  Departure depart(const std::vector<Index>& lower) const
-  {
-    Departure best;
-    const auto offer = [&](const Departure& d) {
-      if (best.halfedge < 0 || d.speed > best.speed) { best = d; }
-    };
-    for (Index h : lower)
-    {
-      const Index v = m_surface.source(h), a = node(v), b = node(m_surface.target(h));
-      const Index region = std::max(m_ordered.field.region_of(a), m_ordered.field.region_of(b));
-      const double drop = std::abs(m_ordered.field.value_in(region, a) - m_ordered.field.value_in(region, b));
-      const double length = m_surface.length(h);
-      offer({h, true, 0.5, length > 0 ? drop / length : 0});
-      const Index across = m_surface.next(h), w = m_surface.target(across);
-      if (rank(w) >= rank(v) || is_sink(w) || is_sink(m_surface.target(h)) || m_turns.count({m_surface.face(h), v}))
-      {
-        continue;
-      }
-      const auto [t, time] = leave(across, m_surface.points[v]);
-      if (time < std::numeric_limits<double>::infinity() && t > 0 && t < 1)
-      {
-        offer({across, false, t, norm(slope(m_surface.face(h)))});
-      }
-    }
-    return best;
-  }
+  Departure depart(const std::vector<Index>& lower) const;
 
-  void trace_line(std::vector<Index> lower)
-  {
-    Flow_line line;
-    line.descends = m_descends;
-    line.start = m_surface.source(lower.front());
-    bool is_begun = false;
-    for (;;)
-    {
-      const Departure d = depart(lower);
-      const Index v = d.along ? m_surface.source(d.halfedge) : m_surface.apex(d.halfedge);
-      if (!is_begun) // on a boundary loop, where the line leaves it
-      {
-        line.start = v;
-        line.curve.points.push_back(Curve_point::on_vertex(v));
-        is_begun = true;
-      }
-      Index h = d.halfedge;
-      bool is_over = false;
-      if (d.along)
-      {
-        const bool is_crossed = m_portals.count(m_surface.edge(h)) > 0;
-        if (!is_crossed) { m_runs.insert(m_surface.edge(h)); }
-        is_over = reach_portal(line, h, 0.5) || reach_vertex(line, m_surface.target(h));
-        h = -1;
-      }
-      else
-      {
-        m_straight.insert({m_surface.face(h), v});
-        is_over = reach_portal(line, h, d.t);
-      }
-      while (!is_over && h >= 0) { is_over = cross_face(line, h); }
-      if (is_over) { break; }
-      lower.clear();
-      const Index at = line.curve.points.back().vertex;
-      m_surface.for_each_outgoing(at, [&](Index g) {
-        if (is_down(g, at)) { lower.push_back(g); }
-      });
-    }
-    if (line.joined >= 0) { line.end = m_lines[line.joined].end; }
-    const Index end = line.end;
-    const bool ends_here = line.joined < 0;
-    m_lines.push_back(std::move(line));
-    // Beyond a boundary loop that is not critical the flow goes on.
-    if (!ends_here || m_kind[node(end)] != REGULAR || !m_left.insert(node(end)).second) { return; }
-    std::vector<Index> onward;
-    for_each_around_node(m_surface, end, [&](Index g) {
-      if (is_down(g, end)) { onward.push_back(g); }
-    });
-    trace_line(onward);
-  }
+  void trace_line(std::vector<Index> lower);
 
   // From the portal of `h`, reached out of its face: through the next face, or along the edge. Sets `h` to the edge
   // reached, or to -1 at a vertex. \returns whether the line is over
-  bool cross_face(Flow_line& line, Index& h)
-  {
-    const Index low = lower_end(h), high = m_surface.source(h) == low ? m_surface.target(h) : m_surface.source(h);
-    const auto slide = [&] {
-      h = -1;
-      return reach_vertex(line, low);
-    };
-    if (passage(h) != h || is_sink(low)) { return slide(); }
-    const Index o = m_surface.opposite[h], f = m_surface.face(o), c = m_surface.apex(o);
-    if (rank(c) >= rank(high)) { return slide(); }
-    if (is_sink(c) && rank(c) < rank(low))
-    {
-      h = -1;
-      return reach_vertex(line, c);
-    }
-    const Index at_low = m_surface.source(o) == low ? m_surface.prev(o) : m_surface.next(o);
-    const Index at_high = m_surface.source(o) == low ? m_surface.next(o) : m_surface.prev(o);
-    const Curve_point& p = line.curve.points.back();
-    const Point from = m_surface.point_on(p.halfedge, p.t);
-    const auto [t_low, time_low] = leave(at_low, from);
-    const auto [t_high, time_high] = leave(at_high, from);
-    // The line may turn around the higher end, unless lines only come from there or one goes from it through the face.
-    const bool may_turn =
-      m_kind[node(high)] != TOP && !m_surface.is_boundary_vertex(high) && !m_straight.count({f, high});
-    const bool turns = may_turn && time_high < time_low;
-    if (!turns && !(time_low < std::numeric_limits<double>::infinity())) { return slide(); }
-    const Index to = turns ? at_high : at_low;
-    if (passage(to) == m_surface.opposite[to] && m_surface.opposite[to] >= 0) { return slide(); }
-    m_turns.insert({f, turns ? high : low});
-    h = to;
-    return reach_portal(line, to, turns ? t_high : t_low);
-  }
+  bool cross_face(Flow_line& line, Index& h);
 
   const Ordered_surface& m_ordered;
   const Refined_surface& m_surface;

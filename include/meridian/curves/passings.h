@@ -2,7 +2,11 @@
 #ifndef MERIDIAN_CURVES_PASSINGS_H
 #define MERIDIAN_CURVES_PASSINGS_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -16,13 +20,7 @@ struct Passing
 };
 
 // The edges that a curve crosses, with fractions along the halfedges by which it leaves faces.
-inline std::vector<Passing> passings_of(const Normal_curves& curves, Index c)
-{
-  std::vector<Passing> passings;
-  for (Index x : curves.crossings(c))
-    passings.push_back({curves[x].halfedge, curves.edge(x) == curves[x].halfedge ? curves[x].t : 1 - curves[x].t});
-  return passings;
-}
+std::vector<Passing> passings_of(const Normal_curves& curves, Index c);
 
 // Takes crossings out of a closed sequence that are taken back at once.
 template <class Sequence> void cancel(const Triangle_surface& s, Sequence& crossings)

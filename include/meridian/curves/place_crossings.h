@@ -2,11 +2,14 @@
 #ifndef MERIDIAN_CURVES_PLACE_CROSSINGS_H
 #define MERIDIAN_CURVES_PLACE_CROSSINGS_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <vector>
 
 namespace meridian {
 namespace internal {
@@ -25,12 +28,7 @@ struct Crossing
 };
 
 // The order of crossings on an edge, edge by edge.
-inline bool is_before(const Crossing& a, const Crossing& b)
-{
-  if (a.edge != b.edge) { return a.edge < b.edge; }
-  return a.from_source ? std::tie(a.piece, a.place) < std::tie(b.piece, b.place)
-                       : std::tie(b.piece, b.place) < std::tie(a.piece, a.place);
-}
+bool is_before(const Crossing& a, const Crossing& b);
 
 // Gives every crossing its final fraction and lets curves pass through vertices that they come close to.
 //

@@ -2,8 +2,11 @@
 #ifndef MERIDIAN_CURVES_PLACE_NORMAL_CURVES_H
 #define MERIDIAN_CURVES_PLACE_NORMAL_CURVES_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
-#include <meridian/curves/place_crossings.h>
+#include <meridian/surface/Surface_curve.h>
+
+#include <vector>
 
 namespace meridian {
 namespace internal {
@@ -15,45 +18,10 @@ struct Meeting
   Index x = -1, y = -1;
 };
 
-inline Meeting find_meeting(const Normal_curves& curves, Index c)
-{
-  const Index face = curves.meeting(c);
-  for (Index x : curves.crossings(c))
-  {
-    if (face < 0 || curves.face_after(x) != face) { continue; }
-    const Index end = curves[x].next, y = curves.crossed_by(end, face);
-    if (y < 0) { continue; }
-    for (Index a : {x, end})
-      for (Index b : {y, curves.across(y, face)})
-        if (curves.edge(a) == curves.edge(b) && std::abs(curves[a].place - curves[b].place) == 1) { return {a, b}; }
-    throw Internal_error("find_meeting: something stands between two curves that cross");
-  }
-  return {};
-}
+Meeting find_meeting(const Normal_curves& curves, Index c);
 
 // Gives every crossing its place. Partners meet in one point.
-inline std::vector<Surface_curve> place_normal_curves(const Normal_curves& curves)
-{
-  const Triangle_surface& s = curves.surface();
-  std::vector<std::vector<Crossing>> all(curves.number_of_curves());
-  for (Index c = 0; c < curves.number_of_curves(); ++c)
-  {
-    const Index p = Normal_curves::partner(c);
-    const bool has_partner = p < curves.number_of_curves() && curves.is_present(c) && curves.is_present(p);
-    const Meeting meeting = has_partner ? find_meeting(curves, std::min(c, p)) : Meeting{};
-    for (Index x : curves.crossings(c))
-    {
-      Crossing crossing{curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true, -1};
-      if (x == meeting.x || x == meeting.y)
-      {
-        crossing.node = c / 2;
-        crossing.t = (curves[meeting.x].t + curves[meeting.y].t) / 2;
-      }
-      all[c].push_back(crossing);
-    }
-  }
-  return place_crossings(s, all, true, [&](Index v) { return !s.is_boundary_vertex(v); });
-}
+std::vector<Surface_curve> place_normal_curves(const Normal_curves& curves);
 
 } // namespace internal
 } // namespace meridian

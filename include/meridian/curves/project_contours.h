@@ -3,40 +3,20 @@
 #define MERIDIAN_CURVES_PROJECT_CONTOURS_H
 
 #include <meridian/curves/contours.h>
-#include <meridian/curves/passings.h>
 #include <meridian/curves/place_crossings.h>
-#include <meridian/surface/root_edges.h>
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
 namespace internal {
 
 // The crossings of contours with the edges of the root, in an order on every edge.
-inline std::vector<std::vector<Crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,
-                                                            const std::vector<const Contour*>& contours)
-{
-  std::vector<std::vector<Crossing>> curves;
-  for (const Contour* contour : contours)
-  {
-    std::vector<Crossing> curve;
-    for (Index h : contour->halfedges)
-    {
-      Root_stretch on;
-      if (!find_stretch(root, m.surface, h, on)) { continue; }
-      // Fractions and places are counted from the lower of the two ends, the same for both halfedges.
-      const double t = on.at[0] + crossing_fraction(m, h, contour->level) * (on.at[1] - on.at[0]);
-      const bool rises = on.at[0] < on.at[1]; // the level grows from source to target
-      const Index edge = root.edge(on.halfedge);
-      const bool from_source = root.source(edge) == on.lower;
-      curve.push_back({on.halfedge, edge, std::min(on.at[0], on.at[1]), rises ? contour->level : -contour->level,
-                       from_source ? t : 1 - t, from_source});
-    }
-    cancel(root, curve);
-    if (curve.empty()) { throw Internal_error("project_contours: a contour can be pulled to a point"); }
-    curves.push_back(std::move(curve));
-  }
-  return curves;
-}
+std::vector<std::vector<Crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,
+                                                     const std::vector<const Contour*>& contours);
 
 } // namespace internal
 
@@ -59,12 +39,8 @@ inline std::vector<std::vector<Crossing>> project_crossings(const Triangle_surfa
  * \par Complexity
  * \f$ O(k \log k) \f$ for `k` crossings
  */
-inline std::vector<Surface_curve> project_contours(const Triangle_surface& root, const Ordered_surface& m,
-                                                   const std::vector<const Contour*>& contours)
-{
-  return internal::place_crossings(root, internal::project_crossings(root, m, contours), true,
-                                   [&](Index v) { return !root.is_boundary_vertex(v); });
-}
+std::vector<Surface_curve> project_contours(const Triangle_surface& root, const Ordered_surface& m,
+                                            const std::vector<const Contour*>& contours);
 
 } // namespace meridian
 

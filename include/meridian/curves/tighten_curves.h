@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_CURVES_TIGHTEN_CURVES_H
 #define MERIDIAN_CURVES_TIGHTEN_CURVES_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
-#include <meridian/curves/sleeve.h>
 
 #include <functional>
 
@@ -21,212 +21,8 @@ struct Tighten_options
 
 namespace internal {
 
-// A curve pulled tight in the strip of faces it runs through.
-struct Taut_curve
-{
-  // at the vertex that `size` crossings from `begin` on share
-  struct Bend
-  {
-    Index vertex;
-    bool is_left;
-    std::size_t begin, size;
-  };
-  std::vector<double> fraction; // where it crosses each halfedge
-  std::vector<Bend> bends;      // that are shorter on the other side of their vertex
-  double length = 0;
-};
-
-// Appends the bends of a pulled path at vertices inside the surface. Of a closed curve the strip is several turns long:
-// `period` crossings are one turn, and bends are taken from the turn that begins at `from`.
-inline void find_bends(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_path& path, std::size_t from,
-                       std::size_t period, bool closed, Taut_curve& curve)
-{
-  constexpr double straight = 3.141592653589793 - 1e-6;
-  for (std::size_t k = 1; k + 1 < path.corners.size(); ++k)
-  {
-    const auto& corner = path.corners[k];
-    if (corner.portal < from || corner.portal >= from + period || s.is_boundary_vertex(corner.vertex)) { continue; }
-    std::size_t begin = corner.portal, end = corner.portal + 1;
-    while (begin > 0 && end - begin < period && touches(s, sleeve.halfedges[begin - 1], corner.vertex)) { --begin; }
-    while (end < sleeve.halfedges.size() && end - begin < period && touches(s, sleeve.halfedges[end], corner.vertex))
-    {
-      ++end;
-    }
-    if (closed && (end - begin >= period || begin == 0 || end == sleeve.halfedges.size())) { continue; }
-    const auto rim = [&](std::size_t i) { return corner.is_left ? path.right[i] : path.left[i]; };
-    double around = 0, inside = angle(corner.at, path.corners[k - 1].at, rim(begin))
-                                + angle(corner.at, path.corners[k + 1].at, rim(end - 1));
-    for (std::size_t i = begin; i + 1 < end; ++i) { inside += angle(corner.at, rim(i), rim(i + 1)); }
-    s.for_each_outgoing(corner.vertex, [&](Index h) { around += corner_angle(s, h); });
-    if (around - inside < straight)
-    {
-      curve.bends.push_back({corner.vertex, corner.is_left, begin % period, end - begin});
-    }
-  }
-}
-
-// The strip of a closed curve is unrolled several times over and pulled between its far ends; the middle turn is what
-// is wanted.
-inline Taut_curve pull_loop(const Triangle_surface& s, const std::vector<Index>& halfedges)
-{
-  constexpr std::size_t turns = 5, middle = 2;
-  const std::size_t n = halfedges.size();
-  Sleeve sleeve;
-  sleeve.start = s.apex(halfedges.front());
-  sleeve.end = s.apex(s.opposite[halfedges.back()]);
-  for (std::size_t i = 0; i < turns; ++i)
-  {
-    sleeve.halfedges.insert(sleeve.halfedges.end(), halfedges.begin(), halfedges.end());
-  }
-  const Pulled_path path = pull(s, sleeve);
-  Taut_curve loop;
-  loop.fraction.assign(path.fraction.begin() + middle * n, path.fraction.begin() + (middle + 1) * n);
-  Point last = s.point_on(halfedges[n - 1], loop.fraction[n - 1]);
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const Point p = s.point_on(halfedges[i], loop.fraction[i]);
-    loop.length += distance(last, p);
-    last = p;
-  }
-  find_bends(s, sleeve, path, middle * n, n, true, loop);
-  return loop;
-}
-
-// An open curve, which crosses at least one edge, between its ends.
-inline Taut_curve pull_open(const Triangle_surface& s, const Sleeve& sleeve)
-{
-  const Pulled_path path = pull(s, sleeve);
-  Taut_curve curve;
-  curve.fraction = path.fraction;
-  Point last = s.points[sleeve.start];
-  for (std::size_t i = 0; i < sleeve.halfedges.size(); ++i)
-  {
-    const Point p = s.point_on(sleeve.halfedges[i], curve.fraction[i]);
-    curve.length += distance(last, p);
-    last = p;
-  }
-  curve.length += distance(last, s.points[sleeve.end]);
-  find_bends(s, sleeve, path, 0, sleeve.halfedges.size(), false, curve);
-  return curve;
-}
-
-// Moves a curve over a vertex that a run of its crossings goes round. No other curve may be in the way or end there but
-// its partner, with whom it must go on to cross as often.
-inline bool move_over(Normal_curves& curves, const std::vector<Index>& run, Index vertex, bool is_left)
-{
-  const Triangle_surface& s = curves.surface();
-  const Index c = curves[run.front()].curve, p = Normal_curves::partner(c);
-  bool passes_partner = false;
-  if (!curves.ends_at(vertex).empty()) { return false; }
-  for (Index x : run)
-  {
-    const Index h = curves[x].halfedge;
-    const auto& list = curves.on(s.edge(h));
-    const Index k = curves[x].place;
-    const bool upwards = is_left == (s.edge(h) == h); // towards the vertex
-    for (Index i = upwards ? k + 1 : k - 1; i >= 0 && i < static_cast<Index>(list.size()); i += upwards ? 1 : -1)
-    {
-      if (curves[list[i]].curve != p) { return false; }
-      passes_partner = true;
-    }
-  }
-  const Index goal = curves.face_after(run.back()), h0 = curves[run.front()].halfedge;
-  if (s.face(h0) == goal) { return false; }
-  std::vector<Index> detour;
-  for (Index g = is_left ? s.next(h0) : s.prev(h0);; g = is_left ? s.next(s.opposite[g]) : s.prev(s.opposite[g]))
-  {
-    if (s.opposite[g] < 0) { return false; }
-    detour.push_back(g);
-    if (s.face(s.opposite[g]) == goal) { break; }
-  }
-  if (curves.is_open(c)) // next to an end, what only leads round it is left out
-  {
-    const auto touches_end = [&](Index h, bool is_last) { return touches(s, h, curves.vertex({c, is_last})); };
-    if (curves[run.front()].prev < 0)
-    {
-      detour.erase(detour.begin(),
-                   std::find_if(detour.begin(), detour.end(), [&](Index h) { return !touches_end(h, false); }));
-    }
-    if (curves[run.back()].next < 0)
-    {
-      while (!detour.empty() && touches_end(detour.back(), true)) { detour.pop_back(); }
-    }
-  }
-  // Away from where the partners cross, nothing changes between them.
-  bool is_at_meeting = false;
-  std::vector<Index> star;
-  s.for_each_outgoing(vertex, [&](Index h) {
-    star.push_back(s.face(h));
-    is_at_meeting = is_at_meeting || s.face(h) == curves.meeting(c);
-  });
-  if (!is_at_meeting)
-  {
-    if (passes_partner) { return false; }
-    curves.reroute(run.front(), run.back(), detour, !is_left);
-    for (bool is_last : {false, true})
-    {
-      if (curves.is_open(c) && curves.nearest({c, is_last}) >= 0) { curves.trim({c, is_last}); }
-    }
-    return true;
-  }
-  Normal_curves::Trial trial(curves);
-  curves.reroute(run.front(), run.back(), detour, !is_left);
-  Index count = 0, meeting = -1;
-  for (Index f : star)
-  {
-    const Index here = curves.count_in_face(c, f);
-    count += here;
-    if (here > 0) { meeting = f; }
-  }
-  if (count == 1)
-  {
-    curves.set_meeting(c, meeting);
-    trial.keep();
-    return true;
-  }
-  return false;
-}
-
 // Shortens one curve. Returns its length.
-inline double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& options)
-{
-  const Triangle_surface& s = curves.surface();
-  double last = std::numeric_limits<double>::infinity();
-  for (int pass = 0;; ++pass)
-  {
-    const std::vector<Index> crossings = curves.crossings(c);
-    const bool open = curves.is_open(c);
-    if (crossings.empty()) { return s.length(curves.edge_along(c)); }
-    std::vector<Index> halfedges;
-    for (Index x : crossings) { halfedges.push_back(curves[x].halfedge); }
-    const Taut_curve loop =
-      open ? pull_open(s, {curves.vertex({c, false}), curves.vertex({c, true}), halfedges}) : pull_loop(s, halfedges);
-    const std::size_t n = crossings.size();
-    for (std::size_t i = 0; i < n; ++i)
-      curves.move(crossings[i], s.edge(halfedges[i]) == halfedges[i] ? loop.fraction[i] : 1 - loop.fraction[i]);
-    const bool is_last = pass == options.passes || !(loop.length < (1 - options.least_gain) * last);
-    last = std::min(last, loop.length);
-    if (is_last) { return loop.length; }
-    std::vector<char> is_gone(n, 0);
-    bool moved = false;
-    for (const auto& bend : loop.bends)
-    {
-      std::vector<Index> run;
-      bool is_whole = (open && bend.begin == 0) || !is_gone[(bend.begin + n - 1) % n];
-      is_whole = is_whole && ((open && bend.begin + bend.size == n) || !is_gone[(bend.begin + bend.size) % n]);
-      for (std::size_t i = 0; i < bend.size; ++i)
-      {
-        run.push_back(crossings[(bend.begin + i) % n]);
-        is_whole = is_whole && !is_gone[(bend.begin + i) % n];
-      }
-      if (!is_whole || !move_over(curves, run, bend.vertex, bend.is_left)) { continue; }
-      moved = true;
-      if (open && (bend.begin == 0 || bend.begin + bend.size == n)) { break; } // more crossings than these may be gone
-      for (std::size_t i = 0; i < bend.size; ++i) { is_gone[(bend.begin + i) % n] = 1; }
-    }
-    if (!moved) { return loop.length; }
-  }
-}
+double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& options);
 
 } // namespace internal
 
@@ -246,21 +42,7 @@ inline double tighten_curve(Normal_curves& curves, Index c, const Tighten_option
  * \par Complexity
  * Linear in the crossings of a curve for each of its passes
  */
-inline double tighten_curves(Normal_curves& curves, const Tighten_options& options = Tighten_options())
-{
-  double last = std::numeric_limits<double>::infinity();
-  for (int round = 0;; ++round)
-  {
-    double sum = 0;
-    for (Index c = 0; c < curves.number_of_curves(); ++c)
-    {
-      if (curves.is_present(c)) { sum += internal::tighten_curve(curves, c, options); }
-      if (options.progress) { options.progress((round + (c + 1.) / curves.number_of_curves()) / (options.rounds + 1)); }
-    }
-    if (round == options.rounds || !(sum < (1 - options.least_gain) * last)) { return sum; }
-    last = std::min(last, sum);
-  }
-}
+double tighten_curves(Normal_curves& curves, const Tighten_options& options = Tighten_options());
 
 } // namespace meridian
 

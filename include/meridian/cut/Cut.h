@@ -3,6 +3,7 @@
 #define MERIDIAN_CUT_CUT_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/base/vectors.h>
 #include <meridian/field/Field.h>
 #include <meridian/handles/select_meridians.h>
 #include <meridian/surface/Refined_surface.h>

@@ -3,11 +3,13 @@
 #define MERIDIAN_CUT_CUT_OPTIONS_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/join_generators.h>
 #include <meridian/cut/link_boundaries.h>
 #include <meridian/field/Field.h>
+#include <meridian/field/edge_weights.h>
 #include <meridian/handles/preference.h>
 
 namespace meridian {
@@ -50,19 +52,7 @@ inline const char* name_of(Tightening t)
 
 /// \ingroup PkgMeridianCut
 /// \returns the name of a method as it stands in reports
-inline const char* name_of(Cut_method method)
-{
-  switch (method)
-  {
-  case Cut_method::CONTOURS: return "contours";
-  case Cut_method::GENERATORS: return "generators";
-  case Cut_method::MORSE: return "morse";
-  case Cut_method::GEODESIC: return "geodesic";
-  case Cut_method::TREE_COTREE: return "tree-cotree";
-  case Cut_method::GEOMETRY_IMAGE: return "geometry-image";
-  }
-  return "";
-}
+const char* name_of(Cut_method method);
 
 /// \ingroup PkgMeridianCut
 /// what one may choose about a cut. Vertices are those of the surface that is cut.

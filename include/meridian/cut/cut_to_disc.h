@@ -2,30 +2,9 @@
 #ifndef MERIDIAN_CUT_CUT_TO_DISC_H
 #define MERIDIAN_CUT_CUT_TO_DISC_H
 
-#include <meridian/base/Progress_observer.h>
-#include <meridian/base/Stage_runner.h>
-#include <meridian/curves/project_contours.h>
-#include <meridian/curves/snap_to_edges.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
-#include <meridian/cut/edge_cuts.h>
-#include <meridian/cut/edge_cuts_near.h>
-#include <meridian/cut/internal/cut_methods.h>
-#include <meridian/cut/internal/reshape_graph.h>
-#include <meridian/cut/join_generators.h>
-#include <meridian/cut/link_boundaries.h>
-#include <meridian/cut/link_on_edges.h>
-#include <meridian/cut/open_cut.h>
-#include <meridian/cut/planar_links.h>
-#include <meridian/cut/shorten_cut_graph.h>
-#include <meridian/field/geodesic_distance.h>
-#include <meridian/field/order_surface.h>
-#include <meridian/handles/find_generators.h>
-#include <meridian/handles/select_meridians.h>
-#include <meridian/surface/open_along.h>
-#include <meridian/surface/seam_paths.h>
-
-#include <string>
+#include <meridian/surface/Triangle_surface.h>
 
 namespace meridian {
 
@@ -48,68 +27,7 @@ namespace meridian {
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */
-inline Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = Cut_options())
-{
-  Cut cut;
-  const internal::Stage_runner run{options.observer, cut.seconds};
-
-  cut.boundary_loops = static_cast<int>(boundary_loops(root).size());
-  const int characteristic = root.number_of_vertices() - root.number_of_edges() + root.number_of_faces();
-  cut.genus = (2 - characteristic - cut.boundary_loops) / 2;
-  cut.smallest_angle_before = smallest_angle(root);
-  cut.surface = Refined_surface(root);
-
-  const bool is_disc = cut.genus == 0 && cut.boundary_loops == 1;
-  const bool is_of_edges = options.method == Cut_method::TREE_COTREE || options.method == Cut_method::GEOMETRY_IMAGE;
-  std::vector<Link_guide> guides;
-  if (is_of_edges && !is_disc) { internal::cut_along_edges(root, options, run, cut); }
-  if (cut.genus > 0 && !is_of_edges)
-  {
-    Field_options field = options;
-    field.one_maximum = options.method == Cut_method::MORSE;
-    if (options.method == Cut_method::GEODESIC)
-      run(Stage::FIELD, [&] {
-        const Closed_model g = make_closed_model(root);
-        const Index source = options.source >= 0 ? options.source : g.representative[find_distant_nodes(root, g).first];
-        field.values_name = "distance";
-        field.values = geodesic_distance(root, {source}, options.solvers.symmetric);
-      });
-    const Ordered_surface m = order_surface(root, field, run);
-    static_cast<Field_summary&>(cut) = summarize_field(root, m, field);
-    switch (options.method)
-    {
-    case Cut_method::GEODESIC:
-    case Cut_method::CONTOURS: internal::cut_along_contours(root, m, options, run, cut); break;
-    case Cut_method::GENERATORS: guides = internal::cut_along_generators(root, m, options, run, cut); break;
-    case Cut_method::MORSE: internal::cut_along_flow_lines(root, m, run, cut); break;
-    default: break;
-    }
-  }
-  run(Stage::LINKS, [&] {
-    if (is_of_edges) { return; }
-    if (options.on_edges && options.tightening != Tightening::GRAPH
-        && (cut.genus == 0 || (options.method != Cut_method::GENERATORS && options.method != Cut_method::MORSE)))
-    {
-      cut.links = link_boundaries_on_edges(cut.surface, options.links.source);
-      return;
-    }
-    if (options.link_domain == Link_domain::PLANE)
-    {
-      cut.link_note =
-        link_boundaries_in_plane(root, cut.surface, options.links.source, cut.links, options.solvers.symmetric);
-      cut.links_in_plane = cut.link_note.empty();
-      if (cut.links_in_plane) { return; }
-    }
-    Link_options links = options.links;
-    links.guides = std::move(guides);
-    links.progress = [&](double done) { run.progress(Stage::LINKS, done); };
-    cut.links = link_boundaries(root, cut.surface, links);
-  });
-  cut.length_found = seam_length(cut.surface);
-  if (!is_disc) { internal::reshape_graph(root, options, run, cut); }
-  run(Stage::OPEN, [&] { open_cut(cut); });
-  return cut;
-}
+Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options = Cut_options());
 
 } // namespace meridian
 

@@ -2,10 +2,12 @@
 #ifndef MERIDIAN_CUT_LINK_BOUNDARIES_H
 #define MERIDIAN_CUT_LINK_BOUNDARIES_H
 
-#include <meridian/cut/internal/sleeve_search.h>
-#include <meridian/cut/internal/slit_surface.h>
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <functional>
+#include <vector>
 
 namespace meridian {
 
@@ -52,51 +54,8 @@ struct Link_options
  * \par Complexity
  * \f$ O(n \log n) \f$, plus the size of two cells for each link that meets an earlier one
  */
-inline std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
-                                                       const Link_options& options = Link_options())
-{
-  internal::Slit_surface slit(root, s, options.bifurcations);
-  const bool is_closed = slit.number_of_loops() == 0;
-  if (options.source >= 0) { slit.add_point(options.source); }
-  if (is_closed && slit.number_of_loops() < 2)
-  {
-    const auto [from, to] = find_distant_nodes(s, make_closed_model(s));
-    for (Index v : {from, to}) { slit.add_point(v); }
-  }
-  std::vector<std::vector<Index>> links;
-  if (slit.number_of_loops() < 2) { return links; } // a disc already
-
-  internal::Sleeve_search search(slit);
-  for (const Link_guide& guide : options.guides)
-  {
-    internal::Sleeve sleeve;
-    const Index from = slit.loop(s.outgoing[guide.from]), to = slit.loop(s.outgoing[guide.to]);
-    if (from < 0 || to < 0 || slit.are_joined(from, to)) { continue; }
-    if (!search.along_faces(from, to, guide.faces, sleeve)) { continue; } // something is in the way
-    links.push_back(slit.insert(sleeve));
-    search.grow();
-  }
-  for (const auto& contact : search.find_spanning_contacts())
-  {
-    if (slit.are_joined(contact.from, contact.to)) { continue; }
-    internal::Sleeve sleeve;
-    if (!search.along_cells(contact, sleeve) && !search.near(contact.from, contact.to, sleeve)
-        && !search.anywhere(contact.from, sleeve))
-      throw Internal_error("link_boundaries: a boundary cannot be reached");
-    links.push_back(slit.insert(sleeve));
-    search.grow();
-    if (options.progress) { options.progress(static_cast<double>(links.size()) / (slit.number_of_loops() - 1)); }
-  }
-  for (Index loop = 1; loop < slit.number_of_loops(); ++loop) // links that went elsewhere than planned
-    while (!slit.are_joined(0, loop))
-    {
-      internal::Sleeve sleeve;
-      if (!search.anywhere(loop, sleeve)) { throw Internal_error("link_boundaries: a boundary cannot be reached"); }
-      links.push_back(slit.insert(sleeve));
-      search.grow();
-    }
-  return links;
-}
+std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
+                                                const Link_options& options = Link_options());
 
 } // namespace meridian
 

@@ -3,7 +3,6 @@
 #define MERIDIAN_CUT_OPEN_CUT_H
 
 #include <meridian/cut/Cut.h>
-#include <meridian/surface/measures.h>
 
 namespace meridian {
 
@@ -11,13 +10,7 @@ namespace meridian {
 /// takes the refined surface of a cut apart along its seams, and measures them.
 /// \par Complexity
 /// Linear.
-inline void open_cut(Cut& cut)
-{
-  cut.opened = open_along(cut.surface);
-  cut.length = 0;
-  for (const auto& seam : cut.opened.seams) { cut.length += cut.surface.length(seam[0]); }
-  cut.smallest_angle_after = smallest_angle(cut.surface);
-}
+void open_cut(Cut& cut);
 
 } // namespace meridian
 

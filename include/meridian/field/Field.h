@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_FIELD_FIELD_H
 #define MERIDIAN_FIELD_FIELD_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/field/Sparse_solver.h>
 #include <meridian/field/critical_points.h>
 #include <meridian/field/edge_weights.h>

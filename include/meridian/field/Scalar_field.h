@@ -2,7 +2,9 @@
 #ifndef MERIDIAN_FIELD_SCALAR_FIELD_H
 #define MERIDIAN_FIELD_SCALAR_FIELD_H
 
-#include <meridian/surface/Closed_model.h>
+#include <meridian/base/vectors.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -29,13 +31,7 @@ struct Scalar_field
   Index region_of(Index a) const { return region.empty() ? 0 : region[a]; }
 
   /// \returns a value of region `from` in the scale of region `to`
-  double convert(double x, Index from, Index to) const
-  {
-    if (from == to) { return x; }
-    if (from > to) // regions come after their parents
-      return convert(regions[from].offset + regions[from].scale * x, regions[from].parent, to);
-    return (convert(x, from, regions[to].parent) - regions[to].offset) / regions[to].scale;
-  }
+  double convert(double x, Index from, Index to) const;
   /// \returns the value at node `a` in the scale of region `r`
   double value_in(Index r, Index a) const { return convert(value[a], region_of(a), r); }
   /// \returns the value at node `a` as the caller prescribed it

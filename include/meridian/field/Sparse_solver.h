@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_FIELD_SPARSE_SOLVER_H
 #define MERIDIAN_FIELD_SPARSE_SOLVER_H
 
-#include <meridian/surface/Triangle_surface.h>
+#include <meridian/base/vectors.h>
 
 #include <memory>
 #include <vector>

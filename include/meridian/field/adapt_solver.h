@@ -4,6 +4,9 @@
 
 #include <meridian/field/Sparse_solver.h>
 
+#include <memory>
+#include <vector>
+
 namespace meridian {
 namespace internal {
 

@@ -2,11 +2,13 @@
 #ifndef MERIDIAN_FIELD_SOLVE_HARMONIC_FIELD_H
 #define MERIDIAN_FIELD_SOLVE_HARMONIC_FIELD_H
 
-#include <meridian/field/Laplace_system.h>
+#include <meridian/base/vectors.h>
 #include <meridian/field/Scalar_field.h>
-#include <meridian/field/edge_weights.h>
-#include <meridian/field/internal/flat_regions.h>
 #include <meridian/field/Sparse_solver.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -42,40 +44,16 @@ struct Dirichlet_value
  * One assembly and one factorization, \f$ O(n^{1.5}) \f$ for a surface mesh; flat regions add one of their own size
  * each.
  */
-inline Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
-                                  const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed, Make_solver make_solver = make_symmetric_solver)
-{
-  Scalar_field field(g.number_of_nodes);
-  std::vector<char> is_prescribed(g.number_of_nodes, 0);
-  double lowest = prescribed.front().value, highest = lowest;
-  for (const auto& p : prescribed)
-  {
-    is_prescribed[p.node] = 1;
-    lowest = std::min(lowest, p.value);
-    highest = std::max(highest, p.value);
-  }
-  // The whole is solved between 0 and 1, like every flat region after it.
-  Scalar_field::Region& whole = field.regions.front();
-  whole.scale = highest > lowest ? highest - lowest : 1;
-  whole.offset = lowest;
-  for (const auto& p : prescribed) { field.value[p.node] = (p.value - whole.offset) / whole.scale; }
-
-  std::vector<Index> unknown;
-  for (Index a = 0; a < g.number_of_nodes; ++a)
-  {
-    if (!is_prescribed[a]) { unknown.push_back(a); }
-  }
-  internal::Laplace_system system(joined, weights, make_solver);
-  system.solve(
-    unknown, [&](Index a) { return field.value[a]; }, field.value);
-  if (highest > lowest) { internal::solve_flat_regions(s, g, system, unknown, field); }
-  return field;
-}
+Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
+                                  const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed,
+                                  Make_solver make_solver = make_symmetric_solver);
 
 /// \ingroup PkgMeridianOrder
 /// the same with the edges of the surface and weights as made by `edge_weights()`, one a halfedge
-inline Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const std::vector<double>& weights,
-                                  const std::vector<Dirichlet_value>& prescribed, Make_solver make_solver = make_symmetric_solver)
+inline Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g,
+                                         const std::vector<double>& weights,
+                                         const std::vector<Dirichlet_value>& prescribed,
+                                         Make_solver make_solver = make_symmetric_solver)
 {
   return solve_harmonic_field(s, g, g, weights, prescribed, make_solver);
 }

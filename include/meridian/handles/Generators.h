@@ -2,12 +2,17 @@
 #ifndef MERIDIAN_HANDLES_GENERATORS_H
 #define MERIDIAN_HANDLES_GENERATORS_H
 
+#include <meridian/base/Progress_observer.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/contours.h>
 #include <meridian/curves/tighten_curves.h>
-#include <meridian/field/order_surface.h>
-#include <meridian/handles/select_meridians.h>
+#include <meridian/field/Field.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/handles/preference.h>
 #include <meridian/surface/Refined_surface.h>
 
 #include <map>
+#include <vector>
 
 namespace meridian {
 
@@ -36,16 +41,7 @@ enum class Curve_method
 
 /// \ingroup PkgMeridianGenerators
 /// \returns the name of a method as it stands in reports
-inline const char* name_of(Curve_method method)
-{
-  switch (method)
-  {
-  case Curve_method::CONTOUR: return "contour";
-  case Curve_method::FLOW: return "flow";
-  case Curve_method::ARC: return "arc";
-  }
-  return "";
-}
+const char* name_of(Curve_method method);
 
 /// \ingroup PkgMeridianGenerators
 /// on which side of its surface a curve bounds, up to homology (Dey, Li, Sun 2007).
@@ -59,17 +55,7 @@ enum class Loop_class
 
 /// \ingroup PkgMeridianGenerators
 /// \returns the name of a class as it stands in reports
-inline const char* name_of(Loop_class c)
-{
-  switch (c)
-  {
-  case Loop_class::HANDLE: return "handle";
-  case Loop_class::TUNNEL: return "tunnel";
-  case Loop_class::NEITHER: return "neither";
-  case Loop_class::UNKNOWN: return "unknown";
-  }
-  return "";
-}
+const char* name_of(Loop_class c);
 
 /// \ingroup PkgMeridianGenerators
 /// a closed curve of a pair.

@@ -2,12 +2,9 @@
 #ifndef MERIDIAN_HANDLES_CLASSIFY_GENERATORS_H
 #define MERIDIAN_HANDLES_CLASSIFY_GENERATORS_H
 
-#include <meridian/handles/find_generators.h>
-#include <meridian/handles/internal/linking.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
+#include <meridian/base/Progress_observer.h>
+#include <meridian/handles/Generators.h>
+#include <meridian/surface/Triangle_surface.h>
 
 namespace meridian {
 
@@ -15,21 +12,7 @@ namespace meridian {
 /// \returns whether two faces of a surface meet elsewhere than in a common vertex or edge, or a face has no area
 /// \par Complexity
 /// \f$ O(n \log^3 n + k) \f$ for `k` pairs of faces whose boxes meet (CGAL's `does_self_intersect()`)
-inline bool does_self_intersect(const Triangle_surface& s)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  CGAL::Surface_mesh<Kernel::Point_3> mesh;
-  mesh.reserve(s.points.size(), 3 * s.triangles.size() / 2, s.triangles.size());
-  using Vertex = CGAL::Surface_mesh<Kernel::Point_3>::Vertex_index;
-  for (const Point& p : s.points) { mesh.add_vertex({p[0], p[1], p[2]}); }
-  for (const auto& t : s.triangles)
-  {
-    if (CGAL::collinear(mesh.point(Vertex(t[0])), mesh.point(Vertex(t[1])), mesh.point(Vertex(t[2])))) { return true; }
-    // two edges with the same ends
-    if (!mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])).is_valid()) { return true; }
-  }
-  return CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
-}
+bool does_self_intersect(const Triangle_surface& s);
 
 /*!
  * \ingroup PkgMeridianGenerators
@@ -48,30 +31,7 @@ inline bool does_self_intersect(const Triangle_surface& s)
  * \par Complexity
  * one search for self-intersections, and for each edge of a curve the faces above and below it
  */
-inline void classify_generators(const Triangle_surface& root, Generators& generators,
-                                Progress_observer* observer = nullptr)
-{
-  if (generators.pairs.empty() || generators.boundary_loops > 0) { return; }
-  const internal::Stage_runner run{observer, generators.seconds};
-  run(Stage::CLASSIFY, [&] {
-    std::vector<std::vector<Index>> walks;
-    for (const Generator_pair& pair : generators.pairs)
-      for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
-      {
-        walks.push_back(internal::walk_on_root(root, generators.surface, c->vertices));
-      }
-    auto meets_itself = std::async(std::launch::async, [&] { return does_self_intersect(root); });
-    const std::vector<internal::Sides> sides = internal::find_bounding_sides(root, walks);
-    if (meets_itself.get() || sides.empty()) { return; }
-    std::size_t i = 0;
-    for (Generator_pair& pair : generators.pairs)
-      for (Generator_curve* c : {&pair.meridian, &pair.longitude})
-      {
-        const internal::Sides& s = sides[i++];
-        c->loop_class = s.inside ? Loop_class::HANDLE : s.outside ? Loop_class::TUNNEL : Loop_class::NEITHER;
-      }
-  });
-}
+void classify_generators(const Triangle_surface& root, Generators& generators, Progress_observer* observer = nullptr);
 
 } // namespace meridian
 

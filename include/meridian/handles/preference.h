@@ -2,10 +2,15 @@
 #ifndef MERIDIAN_HANDLES_PREFERENCE_H
 #define MERIDIAN_HANDLES_PREFERENCE_H
 
-#include <meridian/field/Ordered_surface.h>
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Surface_curve.h>
 #include <meridian/surface/measures.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace meridian {

@@ -2,11 +2,15 @@
 #ifndef MERIDIAN_MAP_PARAMETERIZATION_H
 #define MERIDIAN_MAP_PARAMETERIZATION_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/field/Sparse_solver.h>
 #include <meridian/map/distortion.h>
+#include <meridian/surface/Triangle_surface.h>
 
+#include <array>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace meridian {
 
@@ -43,12 +47,7 @@ constexpr std::array<Map_method, 9> map_methods{
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the name of a method as it stands in reports
-inline const char* name_of(Map_method method)
-{
-  constexpr std::array<const char*, 9> names{"symmetric-dirichlet", "positive", "stretch", "mean-value", "tutte",
-                                             "conformal",           "authalic", "lscm",    "arap"};
-  return names[static_cast<std::size_t>(method)];
-}
+const char* name_of(Map_method method);
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the name of a border as it stands in reports

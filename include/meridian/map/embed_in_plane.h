@@ -2,8 +2,11 @@
 #ifndef MERIDIAN_MAP_EMBED_IN_PLANE_H
 #define MERIDIAN_MAP_EMBED_IN_PLANE_H
 
-#include <meridian/field/edge_weights.h>
-#include <meridian/map/map_into_polygon.h>
+#include <meridian/base/vectors.h>
+#include <meridian/field/Sparse_solver.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -11,9 +14,8 @@ namespace meridian {
 /// a planar embedding of a surface of genus 0.
 struct Planar_embedding
 {
-  using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  std::vector<Point_2> points; ///< of each vertex
-  bool is_valid = false;       ///< whether every face, those that fill holes too, is turned counterclockwise: exact
+  std::vector<Plane_point> points; ///< of each vertex
+  bool is_valid = false;           ///< whether every face, those that fill holes too, is turned counterclockwise: exact
 };
 
 /*!
@@ -32,45 +34,7 @@ struct Planar_embedding
  * \par Complexity
  * One factorization.
  */
-inline Planar_embedding embed_in_plane(const Triangle_surface& s, Make_solver make_solver = make_symmetric_solver)
-{
-  const auto loops = boundary_loops(s);
-  const auto length_of = [&](const std::vector<Index>& loop) {
-    double sum = 0;
-    for (Index h : loop) { sum += s.length(h); }
-    return sum;
-  };
-  std::size_t outer = 0;
-  for (std::size_t i = 1; i < loops.size(); ++i)
-  {
-    if (length_of(loops[i]) > length_of(loops[outer])) { outer = i; }
-  }
-
-  Triangle_surface filled;
-  filled.points = s.points;
-  filled.triangles = s.triangles;
-  for (std::size_t i = 0; i < loops.size(); ++i)
-  {
-    if (i == outer) { continue; }
-    const Index center = filled.number_of_vertices();
-    Point middle{0, 0, 0};
-    for (Index h : loops[i])
-    {
-      middle = middle + (1. / static_cast<double>(loops[i].size())) * s.points[s.source(h)];
-      filled.triangles.push_back({s.target(h), s.source(h), center});
-    }
-    filled.points.push_back(middle);
-  }
-  connect(filled);
-
-  const auto at = map_into_polygon(filled, edge_weights(filled, Weights::POSITIVE), loops[outer],
-                                                    place_on_circle(places_along(s, loops[outer])), make_solver);
-  Planar_embedding embedding;
-  for (const auto& p : at) { embedding.points.emplace_back(p[0], p[1]); }
-  embedding.is_valid = find_flipped_faces(filled.triangles, at).empty();
-  embedding.points.resize(s.number_of_vertices());
-  return embedding;
-}
+Planar_embedding embed_in_plane(const Triangle_surface& s, Make_solver make_solver = make_symmetric_solver);
 
 } // namespace meridian
 

@@ -2,31 +2,21 @@
 #ifndef MERIDIAN_MAP_IS_ONE_TO_ONE_H
 #define MERIDIAN_MAP_IS_ONE_TO_ONE_H
 
-#include <meridian/map/planar_map.h>
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Triangle_surface.h>
 
-#include <CGAL/Polygon_2_algorithms.h>
+#include <vector>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
 /// \returns whether a polygon does not meet itself: exact
-inline bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at)
-{
-  std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_2> polygon;
-  for (Index v : loop) { polygon.emplace_back(at[v][0], at[v][1]); }
-  return CGAL::is_simple_2(polygon.begin(), polygon.end());
-}
+bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at);
 
 /// \ingroup PkgMeridianParameterization
 /// \returns whether a map of a disc is one-to-one: no face is turned over or without area, and the border does not meet
 ///          itself. Decided exactly.
-inline bool is_one_to_one(const Triangle_surface& disc, const std::vector<Plane_point>& at)
-{
-  std::vector<Index> polygon;
-  const auto loops = boundary_loops(disc);
-  for (Index h : loops.front()) { polygon.push_back(disc.source(h)); }
-  return find_flipped_faces(disc.triangles, at).empty() && is_simple(polygon, at);
-}
+bool is_one_to_one(const Triangle_surface& disc, const std::vector<Plane_point>& at);
 
 } // namespace meridian
 

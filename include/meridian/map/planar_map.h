@@ -3,45 +3,27 @@
 #define MERIDIAN_MAP_PLANAR_MAP_H
 
 #include <meridian/base/vectors.h>
-#include <meridian/surface/Triangle_surface.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <array>
+#include <vector>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the sign of the area of a triangle: exact
-inline int orientation_of(const Plane_point& a, const Plane_point& b, const Plane_point& c)
-{
-  using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  return CGAL::orientation(Point_2(a[0], a[1]), Point_2(b[0], b[1]), Point_2(c[0], c[1]));
-}
+int orientation_of(const Plane_point& a, const Plane_point& b, const Plane_point& c);
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the faces whose image is not turned counterclockwise: those turned over, and those without area. Decided
 ///          exactly.
 /// \param triangles the vertices of each face
 /// \param at the image of each vertex
-inline std::vector<Index> find_flipped_faces(const std::vector<std::array<Index, 3>>& triangles,
-                                             const std::vector<Plane_point>& at)
-{
-  std::vector<Index> flipped;
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-  {
-    const auto& t = triangles[f];
-    if (orientation_of(at[t[0]], at[t[1]], at[t[2]]) <= 0) { flipped.push_back(static_cast<Index>(f)); }
-  }
-  return flipped;
-}
+std::vector<Index> find_flipped_faces(const std::vector<std::array<Index, 3>>& triangles,
+                                      const std::vector<Plane_point>& at);
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the area of the image
-inline double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at)
-{
-  double sum = 0;
-  for (const auto& t : triangles) { sum += cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]) / 2; }
-  return sum;
-}
+double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at);
 
 } // namespace meridian
 

@@ -2,9 +2,28 @@
 #ifndef MERIDIAN_MESH_FACE_GRAPH_H
 #define MERIDIAN_MESH_FACE_GRAPH_H
 
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/field/Field.h>
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/field/Scalar_field.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/field/order_surface.h>
+#include <meridian/field/solve_harmonic_field.h>
+#include <meridian/handles/Generators.h>
+#include <meridian/handles/find_generators.h>
+#include <meridian/handles/preference.h>
 #include <meridian/mesh/internal/convert.h>
 #include <meridian/mesh/parameters.h>
-#include <meridian/result/assemble_result.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/proof/verify_generators.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/open_along.h>
 
 namespace meridian {
 

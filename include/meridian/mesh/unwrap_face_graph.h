@@ -2,9 +2,17 @@
 #ifndef MERIDIAN_MESH_UNWRAP_FACE_GRAPH_H
 #define MERIDIAN_MESH_UNWRAP_FACE_GRAPH_H
 
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/list_elements.h>
+#include <meridian/base/vectors.h>
 #include <meridian/map/pack_charts.h>
-#include <meridian/map/parameterize_disc.h>
+#include <meridian/map/planar_map.h>
 #include <meridian/mesh/face_graph.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/unwrap/Unwrapping.h>
 #include <meridian/unwrap/unwrap_surface.h>
 
 namespace meridian {

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_PROOF_VERIFY_CUT_H
 #define MERIDIAN_PROOF_VERIFY_CUT_H
 
+#include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
 #include <meridian/proof/internal/Cut_verifier.h>

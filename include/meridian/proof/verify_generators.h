@@ -2,9 +2,12 @@
 #ifndef MERIDIAN_PROOF_VERIFY_GENERATORS_H
 #define MERIDIAN_PROOF_VERIFY_GENERATORS_H
 
+#include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
 #include <meridian/proof/internal/Generator_verifier.h>
+
+#include <vector>
 
 namespace meridian {
 

@@ -2,13 +2,14 @@
 #ifndef MERIDIAN_RESULT_ASSEMBLE_RESULT_H
 #define MERIDIAN_RESULT_ASSEMBLE_RESULT_H
 
-#include <meridian/base/Result_mesh.h>
-#include <meridian/cut/cut_to_disc.h>
-#include <meridian/handles/find_shortest_basis.h>
-#include <meridian/proof/verify_cut.h>
-#include <meridian/proof/verify_generators.h>
+#include <meridian/result/Assembled_result.h>
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/cut/Cut.h>
 #include <meridian/result/internal/assemble_parts.h>
 #include <meridian/surface/examine_surface.h>
+#include <meridian/surface/open_along.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -25,13 +26,8 @@ namespace meridian {
  * \par Complexity
  * Linear.
  */
-inline Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination,
-                                        const std::vector<Cut>& cuts)
-{
-  std::vector<internal::Result_part> parts;
-  for (const Cut& cut : cuts) { parts.push_back({cut.surface, cut.opened}); }
-  return internal::assemble_parts(soup, examination, parts);
-}
+Assembled_result assemble_result(const Polygon_soup& soup, const Examination& examination,
+                                 const std::vector<Cut>& cuts);
 
 /*!
  * \ingroup PkgMeridianResults

@@ -2,76 +2,26 @@
 #ifndef MERIDIAN_RESULT_NAME_CURVES_H
 #define MERIDIAN_RESULT_NAME_CURVES_H
 
+#include <meridian/base/Result_mesh.h>
 #include <meridian/handles/Generators.h>
 #include <meridian/handles/find_shortest_basis.h>
-#include <meridian/result/assemble_result.h>
+#include <meridian/result/internal/assemble_parts.h>
 
-#include <string>
 #include <vector>
 
 namespace meridian {
-
-namespace internal {
-
-inline Result_curve name_curve(const std::string& name, const std::vector<Index>& path, const std::vector<Index>& place)
-{
-  Result_curve c{name, {}, {}};
-  for (Index v : path) { c.points.push_back(place[v]); }
-  c.points.push_back(c.points.front());
-  return c;
-}
-
-template <class Curves>
-void name_boundaries(const std::vector<Curves>& all, const Assembled_result& assembled,
-                     std::vector<Result_curve>& curves)
-{
-  int number = 0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const auto& loop : boundary_loops(all[i].surface))
-    {
-      std::vector<Index> path;
-      for (Index h : loop) { path.push_back(all[i].surface.source(h)); }
-      curves.push_back(name_curve("boundary_" + std::to_string(number++), path, assembled.place[i]));
-    }
-}
-
-} // namespace internal
 
 /// \ingroup PkgMeridianResults
 /// \returns the curves of all components as they are written: the pairs, numbered through, then all boundary loops
 /// \param all the generators of each component
 /// \param assembled their mesh
-inline std::vector<Result_curve> name_curves(const std::vector<Generators>& all, const Assembled_result& assembled)
-{
-  std::vector<Result_curve> curves;
-  int handle = 0;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const Generator_pair& pair : all[i].pairs)
-    {
-      const std::string number = std::to_string(handle++);
-      curves.push_back(internal::name_curve("meridian_" + number, pair.meridian.vertices, assembled.place[i]));
-      curves.push_back(internal::name_curve("longitude_" + number, pair.longitude.vertices, assembled.place[i]));
-      if (pair.longitude.method != Curve_method::FLOW) { continue; }
-      for (const auto& [v, value] : pair.longitude.field) { curves.back().field.emplace(assembled.place[i][v], value); }
-    }
-  internal::name_boundaries(all, assembled, curves);
-  return curves;
-}
+std::vector<Result_curve> name_curves(const std::vector<Generators>& all, const Assembled_result& assembled);
 
 /// \ingroup PkgMeridianResults
 /// \returns the loops of all components, numbered through, then all boundary loops
 /// \param all the basis of each component
 /// \param assembled their mesh
-inline std::vector<Result_curve> name_curves(const std::vector<Homology_basis>& all, const Assembled_result& assembled)
-{
-  std::vector<Result_curve> curves;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const Generator_curve& loop : all[i].loops)
-      curves.push_back(
-        internal::name_curve("loop_" + std::to_string(curves.size()), loop.vertices, assembled.place[i]));
-  internal::name_boundaries(all, assembled, curves);
-  return curves;
-}
+std::vector<Result_curve> name_curves(const std::vector<Homology_basis>& all, const Assembled_result& assembled);
 
 } // namespace meridian
 

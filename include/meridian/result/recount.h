@@ -2,37 +2,27 @@
 #ifndef MERIDIAN_RESULT_RECOUNT_H
 #define MERIDIAN_RESULT_RECOUNT_H
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Verification.h>
+#include <meridian/cut/Cut.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/proof/verify_generators.h>
 #include <meridian/result/assemble_result.h>
+#include <meridian/result/internal/assemble_parts.h>
 #include <meridian/result/name_curves.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
 namespace internal {
 
 // One surface as a file that holds nothing else.
-inline Polygon_soup soup_of(const Triangle_surface& root)
-{
-  Polygon_soup soup;
-  soup.points = root.points;
-  for (const auto& t : root.triangles) { soup.add_polygon(t.data(), 3); }
-  return soup;
-}
+Polygon_soup soup_of(const Triangle_surface& root);
 
-inline Examination examination_of(const Triangle_surface& root)
-{
-  Examination examination;
-  examination.components.resize(1);
-  Surface_component& c = examination.components.front();
-  c.vertex_of.resize(root.number_of_vertices());
-  c.triangle_of.resize(root.number_of_faces());
-  std::iota(c.vertex_of.begin(), c.vertex_of.end(), Index(0));
-  std::iota(c.triangle_of.begin(), c.triangle_of.end(), Index(0));
-  c.polygon_of = c.triangle_of;
-  c.is_flipped.assign(root.number_of_faces(), 0);
-  return examination;
-}
+Examination examination_of(const Triangle_surface& root);
 
 } // namespace internal
 
@@ -44,11 +34,7 @@ inline Examination examination_of(const Triangle_surface& root)
  * \param root the surface that was cut
  * \param cut its cut
  */
-inline Verification verify_cut(const Triangle_surface& root, const Cut& cut)
-{
-  const Polygon_soup soup = internal::soup_of(root);
-  return verify_cut(soup, assemble_result(soup, internal::examination_of(root), std::vector<Cut>{cut}).mesh);
-}
+Verification verify_cut(const Triangle_surface& root, const Cut& cut);
 
 /*!
  * \ingroup PkgMeridianResults

@@ -2,7 +2,10 @@
 #ifndef MERIDIAN_SURFACE_SURFACE_CURVE_H
 #define MERIDIAN_SURFACE_SURFACE_CURVE_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -40,14 +43,7 @@ inline Point position(const Triangle_surface& s, const Curve_point& p)
 
 /// \ingroup PkgMeridianSurface
 /// \returns the length of the curve in the unit of the points
-inline double length(const Triangle_surface& s, const Surface_curve& curve)
-{
-  double sum = 0;
-  const std::size_t n = curve.points.size();
-  for (std::size_t i = 0; i + (curve.closed ? 0 : 1) < n; ++i)
-    sum += distance(position(s, curve.points[i]), position(s, curve.points[(i + 1) % n]));
-  return sum;
-}
+double length(const Triangle_surface& s, const Surface_curve& curve);
 
 } // namespace meridian
 

@@ -2,14 +2,10 @@
 #ifndef MERIDIAN_SURFACE_TRIANGLE_SURFACE_H
 #define MERIDIAN_SURFACE_TRIANGLE_SURFACE_H
 
-#include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -61,32 +57,16 @@ struct Triangle_surface
   }
 
   /// \returns the halfedge from `u` to `v`, or -1
-  Index find_halfedge(Index u, Index v) const
-  {
-    Index found = -1;
-    for_each_outgoing(u, [&](Index h) {
-      if (target(h) == v) { found = h; }
-    });
-    return found;
-  }
+  Index find_halfedge(Index u, Index v) const;
 
-  Point point_on(Index h, double t) const
-  {
-    const Point &a = points[source(h)], &b = points[target(h)];
-    return a + t * (b - a);
-  }
+  Point point_on(Index h, double t) const;
   double length(Index h) const { return distance(points[source(h)], points[target(h)]); }
 };
 
 /// \ingroup PkgMeridianSurface
 /// finds a halfedge for every vertex, that on the boundary where there is one.
 /// \pre the twins are known
-inline void find_outgoing(Triangle_surface& s)
-{
-  s.outgoing.assign(s.number_of_vertices(), -1);
-  for (Index h = 0; h < s.number_of_halfedges(); ++h)
-    if (s.outgoing[s.source(h)] < 0 || s.opposite[h] < 0) { s.outgoing[s.source(h)] = h; }
-}
+void find_outgoing(Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// finds the twins of all halfedges and a halfedge for every vertex.
@@ -96,59 +76,12 @@ inline void find_outgoing(Triangle_surface& s)
 /// \throws Internal_error if an edge is used twice in one direction
 /// \par Complexity
 /// Linear: halfedges are sorted by their lower vertex with one counting pass.
-inline void connect(Triangle_surface& s)
-{
-  const Index n = s.number_of_vertices(), halfedges = s.number_of_halfedges();
-  std::vector<Index> begin(n + 1, 0), bucket(halfedges);
-  const auto lower = [&](Index h) { return std::min(s.source(h), s.target(h)); };
-  for (Index h = 0; h < halfedges; ++h) { ++begin[lower(h) + 1]; }
-  for (Index v = 0; v < n; ++v) { begin[v + 1] += begin[v]; }
-  std::vector<Index> fill(begin.begin(), begin.end() - 1);
-  for (Index h = 0; h < halfedges; ++h) { bucket[fill[lower(h)]++] = h; }
-
-  s.opposite.assign(halfedges, -1);
-  std::vector<std::pair<Index, Index>> around; // (upper vertex, halfedge)
-  for (Index v = 0; v < n; ++v)
-  {
-    around.clear();
-    for (Index i = begin[v]; i < begin[v + 1]; ++i)
-    {
-      const Index h = bucket[i];
-      around.emplace_back(std::max(s.source(h), s.target(h)), h);
-    }
-    std::sort(around.begin(), around.end());
-    for (std::size_t i = 0; i + 1 < around.size(); ++i)
-    {
-      if (around[i].first != around[i + 1].first) { continue; }
-      const Index g = around[i].second, h = around[i + 1].second;
-      if (s.source(g) == s.source(h) || s.opposite[g] >= 0)
-        throw Internal_error("connect: an edge has two faces on one side");
-      s.opposite[g] = h;
-      s.opposite[h] = g;
-    }
-  }
-  find_outgoing(s);
-}
+void connect(Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the boundary loops, each as its halfedges in order (the surface on their left), sorted by
 ///          lowest vertex; linear
-inline std::vector<std::vector<Index>> boundary_loops(const Triangle_surface& s)
-{
-  std::vector<std::vector<Index>> loops;
-  std::vector<char> seen(s.number_of_vertices(), 0);
-  for (Index v = 0; v < s.number_of_vertices(); ++v)
-  {
-    if (seen[v] || s.outgoing[v] < 0 || !s.is_boundary_vertex(v)) { continue; }
-    loops.emplace_back();
-    for (Index u = v; !seen[u]; u = s.target(s.outgoing[u]))
-    {
-      seen[u] = 1;
-      loops.back().push_back(s.outgoing[u]);
-    }
-  }
-  return loops;
-}
+std::vector<std::vector<Index>> boundary_loops(const Triangle_surface& s);
 
 } // namespace meridian
 

@@ -2,46 +2,26 @@
 #ifndef MERIDIAN_SURFACE_MEASURES_H
 #define MERIDIAN_SURFACE_MEASURES_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Triangle_surface.h>
 
-#include <limits>
-#include <queue>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianSurface
 /// \returns the angle of a face at the source of `h`, in radians; 0 where the face has a side of length 0
-inline double corner_angle(const Triangle_surface& s, Index h)
-{
-  const Point a = s.points[s.target(h)] - s.points[s.source(h)], b = s.points[s.apex(h)] - s.points[s.source(h)];
-  return std::atan2(norm(cross(a, b)), dot(a, b));
-}
+double corner_angle(const Triangle_surface& s, Index h);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the area of the faces
-inline double area(const Triangle_surface& s)
-{
-  double sum = 0;
-  for (const auto& t : s.triangles)
-    sum += norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2;
-  return sum;
-}
+double area(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the smallest angle of all faces, in radians; 0 if a face has no area
-inline double smallest_angle(const Triangle_surface& s)
-{
-  double cotangent = -std::numeric_limits<double>::infinity(); // of the smallest angle so far: the largest
-  for (const auto& t : s.triangles)
-  {
-    const Point ab = s.points[t[1]] - s.points[t[0]], bc = s.points[t[2]] - s.points[t[1]],
-                ca = s.points[t[0]] - s.points[t[2]];
-    const double twice_area = norm(cross(ab, ca));
-    if (!(twice_area > 0)) { return 0; }
-    cotangent = std::max(cotangent, -std::min({dot(ab, ca), dot(ab, bc), dot(bc, ca)}) / twice_area);
-  }
-  return std::atan2(1., cotangent);
-}
+double smallest_angle(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// discrete curvatures of a vertex, per unit of area (a third of the faces around).
@@ -55,125 +35,29 @@ struct Curvature
 /// \returns the curvatures at an interior vertex; zero on the boundary and where the area is zero
 /// \par Complexity
 /// Linear in the degree. See Meyer, Desbrun, Schroeder, Barr 2003 and Cohen-Steiner, Morvan 2003.
-inline Curvature curvature(const Triangle_surface& s, Index v)
-{
-  Curvature c;
-  if (s.is_boundary_vertex(v)) { return c; }
-  const auto normal = [&](Index f) {
-    const auto& t = s.triangles[f];
-    return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
-  };
-  double angles = 0, area = 0, bending = 0;
-  s.for_each_outgoing(v, [&](Index h) {
-    const Point left = normal(s.face(h)), right = normal(s.face(s.opposite[h]));
-    const Point along = s.points[s.target(h)] - s.points[v];
-    angles += corner_angle(s, h);
-    area += norm(left) / 6;
-    bending += std::atan2(dot(cross(left, right), along), norm(along) * dot(left, right)) * norm(along);
-  });
-  if (!(area > 0)) { return c; }
-  c.gaussian = (2 * std::acos(-1.) - angles) / area;
-  c.mean = bending / (4 * area);
-  return c;
-}
+Curvature curvature(const Triangle_surface& s, Index v);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the length of each edge of a closed model, in the order of its edges
-inline std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& g)
-{
-  std::vector<double> lengths;
-  lengths.reserve(g.halfedge.size());
-  for (Index h : g.halfedge) { lengths.push_back(s.length(h)); }
-  return lengths;
-}
+std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& g);
 
 /// \ingroup PkgMeridianSurface
 /// \returns for each node its distance from `source` along edges of the mesh, infinite where it cannot be reached.
 ///          Going along a boundary loop costs nothing, as in the closed model.
 /// \par Complexity
 /// \f$ O(n \log n) \f$ (Dijkstra 1959).
-inline std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source)
-{
-  std::vector<double> d(g.number_of_nodes, std::numeric_limits<double>::infinity());
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  d[source] = 0;
-  queue.emplace(0., source);
-  while (!queue.empty())
-  {
-    const auto [at, a] = queue.top();
-    queue.pop();
-    if (at > d[a]) { continue; }
-    for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
-    {
-      const Index b = g.neighbor[i];
-      const double reached = at + lengths[i];
-      if (reached < d[b])
-      {
-        d[b] = reached;
-        queue.emplace(reached, b);
-      }
-    }
-  }
-  return d;
-}
+std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source);
 
 /// \ingroup PkgMeridianSurface
 /// \returns two nodes that are far apart: from the node farthest from the centroid of the vertices, to the node
 ///          farthest from that along edges, and on as long as the distance grows, at most `sweeps` times. The
 ///          distance found is at least half of the largest.
 /// \pre the graph is connected and has at least two nodes
-inline std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, const Closed_model& g, int sweeps = 2)
-{
-  Point centroid{0, 0, 0};
-  for (const Point& p : s.points) { centroid = centroid + p; }
-  centroid = (1. / s.number_of_vertices()) * centroid;
-  const auto farthest = [&](const auto& measure) {
-    Index best = 0;
-    for (Index a = 1; a < g.number_of_nodes; ++a)
-    {
-      if (measure(a) > measure(best)) { best = a; }
-    }
-    return best;
-  };
-  Index from = farthest([&](Index a) { return distance(s.points[g.representative[a]], centroid); });
-  Index to = from;
-  double reached = -1;
-  const std::vector<double> lengths = edge_lengths(s, g);
-  for (int i = 0; i < sweeps; ++i)
-  {
-    const auto d = edge_distances(g, lengths, from);
-    const Index next = farthest([&](Index a) { return a == from ? -1 : d[a]; });
-    if (!(d[next] > reached)) { break; }
-    reached = d[next];
-    to = from;
-    from = next;
-  }
-  return {from, to};
-}
+std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, const Closed_model& g, int sweeps = 2);
 
 namespace internal {
 
-inline double length(const Triangle_surface& s, const std::vector<Index>& loop)
-{
-  double sum = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i)
-  {
-    sum += distance(s.points[loop[i]], s.points[loop[(i + 1) % loop.size()]]);
-  }
-  return sum;
-}
-
-} // namespace internal
-
-namespace internal {
-
-// Bounds the areas of nodes below by a tiny part of their mean.
-inline void bound_areas(std::vector<double>& areas, double sum)
-{
-  const double mean = sum / static_cast<double>(areas.size());
-  for (double& a : areas) { a = mean > 0 ? std::max(a, 1e-8 * mean) : 1; }
-}
+double length(const Triangle_surface& s, const std::vector<Index>& loop);
 
 } // namespace internal
 
@@ -183,19 +67,7 @@ inline void bound_areas(std::vector<double>& areas, double sum)
 ///          face has any.
 /// \par Complexity
 /// Linear.
-inline std::vector<double> node_areas(const Triangle_surface& s, const Closed_model& g)
-{
-  std::vector<double> areas(g.number_of_nodes, 0);
-  double sum = 0;
-  for (const auto& t : s.triangles)
-  {
-    const double area = norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2;
-    for (Index v : t) { areas[g.node[v]] += area / 3; }
-    sum += area;
-  }
-  internal::bound_areas(areas, sum);
-  return areas;
-}
+std::vector<double> node_areas(const Triangle_surface& s, const Closed_model& g);
 
 } // namespace meridian
 

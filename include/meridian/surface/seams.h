@@ -2,7 +2,11 @@
 #ifndef MERIDIAN_SURFACE_SEAMS_H
 #define MERIDIAN_SURFACE_SEAMS_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -17,24 +21,11 @@ inline void flag_seam(Refined_surface& s, const std::vector<Index>& edges)
 
 /// \ingroup PkgMeridianCut
 /// \returns the length of some edges together
-inline double length_of_edges(const Triangle_surface& s, const std::vector<Index>& edges)
-{
-  double sum = 0;
-  for (Index h : edges) { sum += s.length(h); }
-  return sum;
-}
+double length_of_edges(const Triangle_surface& s, const std::vector<Index>& edges);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the length of the seams, each edge counted once
-inline double seam_length(const Refined_surface& s)
-{
-  double sum = 0;
-  for (Index h = 0; h < s.number_of_halfedges(); ++h)
-  {
-    if (s.seam[h] && s.edge(h) == h) { sum += s.length(h); }
-  }
-  return sum;
-}
+double seam_length(const Refined_surface& s);
 
 } // namespace meridian
 

@@ -2,9 +2,15 @@
 #ifndef MERIDIAN_UNWRAP_UNWRAPPING_H
 #define MERIDIAN_UNWRAP_UNWRAPPING_H
 
+#include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
+#include <meridian/curves/contours.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
 #include <meridian/map/Parameterization.h>
+#include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/measures.h>
 #include <meridian/unwrap/square_border.h>
 
 #include <string>

@@ -4,13 +4,6 @@
 
 #include <meridian/surface/Triangle_surface.h>
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
-
-#include <limits>
-
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
@@ -33,70 +26,6 @@ struct Round_trip
   double psnr = 0;        ///< \f$ 20 \log_{10} (diagonal / rms) \f$, in decibels (Gu, Gortler, Hoppe 2002)
 };
 
-namespace internal {
-
-// Calls f(p) for `count` points that lie evenly by area. The order of the faces and the fractional parts of multiples
-// of the plastic number's powers place them; nothing is drawn at random.
-template <class Function> void for_each_sample(const Triangle_surface& s, std::size_t count, const Function& f)
-{
-  std::vector<double> area;
-  double whole = 0;
-  for (const auto& t : s.triangles)
-    area.push_back(whole += norm(cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2);
-  if (!(whole > 0)) { return; }
-  std::size_t face = 0;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double up_to = whole * ((static_cast<double>(i) + 0.5) / static_cast<double>(count));
-    while (face + 1 < area.size() && area[face] < up_to) { ++face; }
-    double u = std::fmod(0.5 + 0.7548776662466927 * static_cast<double>(i), 1.),
-           v = std::fmod(0.5 + 0.5698402909980532 * static_cast<double>(i), 1.);
-    if (u + v > 1)
-    {
-      u = 1 - u;
-      v = 1 - v;
-    }
-    const auto& t = s.triangles[face];
-    f(s.points[t[0]] + u * (s.points[t[1]] - s.points[t[0]]) + v * (s.points[t[2]] - s.points[t[0]]));
-  }
-}
-
-inline Sampled_distance measure_distance(const Triangle_surface& from, const Triangle_surface& to, std::size_t count)
-{
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Triangle_list = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangle_list::const_iterator>;
-  const auto point = [](const Point& p) { return Kernel::Point_3(p[0], p[1], p[2]); };
-  Triangle_list triangles;
-  for (const auto& t : to.triangles)
-  {
-    const Kernel::Triangle_3 triangle(point(to.points[t[0]]), point(to.points[t[1]]), point(to.points[t[2]]));
-    if (!triangle.is_degenerate()) { triangles.push_back(triangle); } // what has no area lies on the edges of others
-  }
-  if (triangles.empty()) { throw Invalid_input_error("distances cannot be measured to a surface without area"); }
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(triangles.begin(), triangles.end());
-  tree.build();
-  tree.accelerate_distance_queries();
-  double largest = 0, sum = 0;
-  std::size_t samples = 0;
-  const auto squared = [&](const Point& p) {
-    const double d = tree.squared_distance(point(p));
-    largest = std::max(largest, d);
-    return d;
-  };
-  for_each_sample(from, count, [&](const Point& p) {
-    sum += squared(p);
-    ++samples;
-  });
-  for (Index v = 0; v < from.number_of_vertices(); ++v)
-  {
-    if (from.outgoing[v] >= 0) { squared(from.points[v]); }
-  }
-  return {std::sqrt(largest), samples > 0 ? std::sqrt(sum / static_cast<double>(samples)) : 0};
-}
-
-} // namespace internal
-
 /*!
  * \ingroup PkgMeridianParameterization
  *
@@ -114,27 +43,8 @@ inline Sampled_distance measure_distance(const Triangle_surface& from, const Tri
  * \par Complexity
  * \f$ O(n \log n) \f$ as a rule, with trees of boxes (CGAL's AABB tree)
  */
-inline Round_trip measure_round_trip(const Triangle_surface& original, const Triangle_surface& remeshed,
-                                     std::size_t least_samples = 100000)
-{
-  const std::size_t count = std::max(least_samples, std::max(original.triangles.size(), remeshed.triangles.size()));
-  Round_trip result;
-  result.there = internal::measure_distance(original, remeshed, count);
-  result.back = internal::measure_distance(remeshed, original, count);
-  result.hausdorff = std::max(result.there.largest, result.back.largest);
-  result.rms = std::max(result.there.rms, result.back.rms);
-  Point low = original.points.front(), high = low;
-  for (const Point& p : original.points)
-    for (int c = 0; c < 3; ++c)
-    {
-      low[c] = std::min(low[c], p[c]);
-      high[c] = std::max(high[c], p[c]);
-    }
-  result.diagonal = distance(low, high);
-  result.psnr =
-    result.rms > 0 ? 20 * std::log10(result.diagonal / result.rms) : std::numeric_limits<double>::infinity();
-  return result;
-}
+Round_trip measure_round_trip(const Triangle_surface& original, const Triangle_surface& remeshed,
+                              std::size_t least_samples = 100000);
 
 } // namespace meridian
 

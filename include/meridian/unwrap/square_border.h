@@ -2,8 +2,11 @@
 #ifndef MERIDIAN_UNWRAP_SQUARE_BORDER_H
 #define MERIDIAN_UNWRAP_SQUARE_BORDER_H
 
-#include <meridian/cut/cut_to_disc.h>
-#include <meridian/unwrap/internal/square_corners.h>
+#include <meridian/base/vectors.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -37,45 +40,6 @@ struct Square_border
   int steps() const { return 4 * (size - 1); } ///< of the whole border
 };
 
-namespace internal {
-
-// Lays the strands out on the square. The disc's halfedges are those of the surface.
-inline Square_border lay_out(const Refined_surface& s, const Border_strands& border, int first_corner, int size)
-{
-  Square_border result;
-  result.size = size;
-  std::size_t at_corner = 0;
-  for (const Border_side& side : border.sides)
-  {
-    const Strand& strand = border.strands[side.strand];
-    const std::size_t n = strand.vertices.size() - 1;
-    const int start = (side.start - first_corner + result.steps()) % result.steps();
-    result.paths.push_back(
-      {static_cast<Index>(result.loop.size()), static_cast<Index>(n), start, strand.steps, side.mate});
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const std::size_t p = side.is_reversed ? n - i : i, q = side.is_reversed ? n - i - 1 : i + 1;
-      const Index h = s.find_halfedge(strand.vertices[p], strand.vertices[q]);
-      if (h < 0) { throw Internal_error("square_border: an edge of the border is missing"); }
-      const double along = side.is_reversed ? strand.steps - strand.along[p] : strand.along[p];
-      double place = start + along;
-      if (place >= result.steps()) { place -= result.steps(); }
-      if (place == 0) { at_corner = result.loop.size(); }
-      result.loop.push_back(h);
-      result.along.push_back(along);
-      result.points.push_back(point_on_square(place, size));
-    }
-  }
-  std::rotate(result.loop.begin(), result.loop.begin() + at_corner, result.loop.end());
-  std::rotate(result.along.begin(), result.along.begin() + at_corner, result.along.end());
-  std::rotate(result.points.begin(), result.points.begin() + at_corner, result.points.end());
-  const Index shift = static_cast<Index>(at_corner), n = static_cast<Index>(result.loop.size());
-  for (Border_path& path : result.paths) { path.first = (path.first - shift + n) % n; }
-  return result;
-}
-
-} // namespace internal
-
 /*!
  * \ingroup PkgMeridianParameterization
  *
@@ -100,47 +64,7 @@ inline Square_border lay_out(const Refined_surface& s, const Border_strands& bor
  * \par Complexity
  * \f$ O(n + (k + N) \log k) \f$ for `k` vertices on the border and `N` grid points along a side
  */
-inline Square_border prepare_square_border(const Triangle_surface& root, Cut& cut, int size)
-{
-  Triangle_surface disc = surface_of(cut.surface, cut.opened);
-  internal::Border_strands border = internal::gather_border(cut.surface, cut.opened, disc);
-  const int least = internal::least_size(border);
-  if (size < least)
-    throw Invalid_input_error("a geometry image of " + std::to_string(size) + " x " + std::to_string(size)
-                              + " points is too small for a border of " + std::to_string(border.sides.size())
-                              + " paths; the least size is " + std::to_string(least));
-  internal::distribute_steps(cut.surface, border, 4 * (size - 1));
-  const int first_corner = internal::choose_corners(disc, border, size);
-
-  const auto divided = internal::divide_at_corners(root, cut.surface, border, first_corner, size);
-  for (auto* curves : {&cut.meridians, &cut.longitudes})
-  {
-    for (auto& curve : *curves) { internal::insert_into_curve(divided, curve, true); }
-  }
-  for (auto* curves : {&cut.flow_lines, &cut.links, &cut.paths})
-  {
-    for (auto& curve : *curves) { internal::insert_into_curve(divided, curve, false); }
-  }
-  cut.opened = open_along(cut.surface);
-
-  disc = surface_of(cut.surface, cut.opened);
-  const Square_border first = internal::lay_out(cut.surface, border, first_corner, size);
-  std::vector<unsigned> sides(disc.number_of_vertices(), 0);
-  for (std::size_t i = 0; i < first.loop.size(); ++i)
-  {
-    sides[disc.source(first.loop[i])] = internal::sides_of(first.points[i]);
-  }
-  std::vector<Surface_curve> middles;
-  for (Index h = 0; h < disc.number_of_halfedges(); ++h)
-    if (disc.opposite[h] > h && (sides[disc.source(h)] & sides[disc.target(h)]))
-    {
-      middles.push_back({{Curve_point::on_edge(h, 0.5)}, false});
-    }
-  insert_curves(root, cut.surface, middles);
-  cut.opened = open_along(cut.surface);
-  cut.smallest_angle_after = smallest_angle(cut.surface);
-  return internal::lay_out(cut.surface, border, first_corner, size); // faces have changed
-}
+Square_border prepare_square_border(const Triangle_surface& root, Cut& cut, int size);
 
 } // namespace meridian
 

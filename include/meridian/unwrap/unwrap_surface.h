@@ -2,11 +2,9 @@
 #ifndef MERIDIAN_UNWRAP_UNWRAP_SURFACE_H
 #define MERIDIAN_UNWRAP_UNWRAP_SURFACE_H
 
-#include <meridian/map/Parameterization.h>
+#include <meridian/surface/Triangle_surface.h>
 #include <meridian/unwrap/Unwrapping.h>
-#include <meridian/unwrap/cut_family.h>
 #include <meridian/unwrap/internal/Unwrapper.h>
-#include <meridian/unwrap/square_border.h>
 
 namespace meridian {
 

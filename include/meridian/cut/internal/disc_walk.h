@@ -2,7 +2,10 @@
 #ifndef MERIDIAN_CUT_INTERNAL_DISC_WALK_H
 #define MERIDIAN_CUT_INTERNAL_DISC_WALK_H
 
-#include <meridian/cut/internal/network_moves.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
+
+#include <vector>
 
 namespace meridian {
 namespace internal {
@@ -18,47 +21,7 @@ struct Disc_side
 
 // Writes the sides of all discs that the network cuts the surface into; each begins at `begin`. With one disc every
 // curve is there twice.
-inline std::vector<Disc_side> walk_around(const Normal_curves& curves, std::vector<std::size_t>& begin)
-{
-  const Triangle_surface& s = curves.surface();
-  std::unordered_map<Index, Network_star> stars;
-  const auto star_of = [&](Index v) -> const Network_star& {
-    const auto [at, is_new] = stars.try_emplace(v);
-    if (is_new) { at->second = make_star(curves, v); }
-    return at->second;
-  };
-  std::vector<std::array<char, 2>> is_done(curves.number_of_curves(), {0, 0});
-  std::vector<Disc_side> sides;
-  begin.clear();
-  for (Index c = 0; c < curves.number_of_curves(); ++c)
-    for (bool forward : {true, false})
-    {
-      if (!curves.is_open(c) || is_done[c][forward]) { continue; }
-      begin.push_back(sides.size());
-      Network_end out{c, !forward}; // by which the next side is left
-      while (!is_done[out.curve][!out.is_last])
-      {
-        is_done[out.curve][!out.is_last] = 1;
-        const Network_end in{out.curve, !out.is_last};
-        Index v = curves.vertex(in);
-        sides.push_back({in.curve, in.is_last, v});
-        const Network_star* star = &star_of(v);
-        std::size_t i = std::find_if(star->arms.begin(), star->arms.end(), [&](const auto& a) { return a.end == in; })
-                        - star->arms.begin();
-        if (i == 0 && !star->is_closed)
-        {
-          do {
-            v = s.target(s.outgoing[v]);
-          } while (curves.ends_at(v).empty());
-          sides.push_back({-1, true, v});
-          star = &star_of(v);
-          i = star->arms.size();
-        }
-        out = star->arms[(i + star->arms.size() - 1) % star->arms.size()].end;
-      }
-    }
-  return sides;
-}
+std::vector<Disc_side> walk_around(const Normal_curves& curves, std::vector<std::size_t>& begin);
 
 } // namespace internal
 } // namespace meridian

@@ -2,11 +2,18 @@
 #ifndef MERIDIAN_CUT_INTERNAL_SLEEVE_SEARCH_H
 #define MERIDIAN_CUT_INTERNAL_SLEEVE_SEARCH_H
 
+#include <meridian/base/vectors.h>
+#include <meridian/curves/sleeve.h>
 #include <meridian/cut/internal/slit_surface.h>
+#include <meridian/surface/Refined_surface.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <queue>
+#include <set>
+#include <tuple>
+#include <vector>
 
 namespace meridian {
 namespace internal {
@@ -28,130 +35,10 @@ public:
   {}
 
   // The pairs of a minimum spanning tree of the boundaries, nearest first. The search ends when the tree is whole.
-  std::vector<Contact> find_spanning_contacts()
-  {
-    const Refined_surface& s = m_slit.surface();
-    const Index faces = s.number_of_faces();
-    m_reached.assign(faces, Reached{});
-    m_cell.assign(faces, -1);
-    m_known_parents = m_slit.parents.size();
-    std::vector<Index> joined(m_slit.number_of_loops());
-    std::iota(joined.begin(), joined.end(), Index(0));
-    const auto find = [&](Index a) {
-      while (joined[a] != a) { a = joined[a] = joined[joined[a]]; }
-      return a;
-    };
-
-    struct Event
-    {
-      double key;
-      Index face, halfedge;
-      bool along;
-    };
-    const auto later = [](const Event& x, const Event& y) {
-      return std::tie(x.key, x.face, x.halfedge) > std::tie(y.key, y.face, y.halfedge);
-    };
-    std::priority_queue<Event, std::vector<Event>, decltype(later)> queue(later);
-    for (Index loop = 0; loop < m_slit.number_of_loops(); ++loop)
-      for_each_corner(loop, [&](Index h) {
-        const Index f = s.face(h), g = s.next(h);
-        if (m_reached[f].distance > 0)
-        {
-          m_reached[f] = {0, s.points[s.source(h)], h, true};
-          m_cell[f] = loop;
-          queue.push({0, f, -1, false});
-        }
-        for (const Index k : {h, s.prev(h)}) // an edge from this boundary to another
-        {
-          const Index end = k == h ? g : k;
-          if (m_slit.may_cross(k) && m_slit.loop(end) >= 0 && m_slit.loop(end) != loop)
-          {
-            queue.push({s.length(k) / 2, -1, k, true});
-          }
-        }
-      });
-    std::vector<Contact> tree;
-    std::vector<char> done(faces, 0);
-    while (!queue.empty() && static_cast<Index>(tree.size()) + 1 < m_slit.number_of_loops())
-    {
-      const Event e = queue.top();
-      queue.pop();
-      if (e.face < 0)
-      {
-        const Index a = e.along ? m_slit.loop(e.halfedge) : m_cell[s.face(e.halfedge)];
-        const Index b = e.along ? m_slit.loop(s.next(e.halfedge)) : m_cell[s.face(s.opposite[e.halfedge])];
-        if (find(a) == find(b)) { continue; }
-        joined[find(a)] = find(b);
-        tree.push_back({a, b, e.halfedge, e.along});
-        continue;
-      }
-      const Index f = e.face;
-      if (done[f]) { continue; }
-      done[f] = 1;
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        if (!m_slit.may_cross(h)) { continue; }
-        const Index o = s.opposite[h], g = s.face(o);
-        const Point middle = s.point_on(h, 0.5);
-        const double d = m_reached[f].distance + distance(m_reached[f].entry, middle);
-        if (done[g])
-        {
-          if (m_cell[g] != m_cell[f])
-            queue.push({(d + m_reached[g].distance + distance(m_reached[g].entry, middle)) / 2, -1, h, false});
-          continue;
-        }
-        if (d < m_reached[g].distance)
-        {
-          m_reached[g] = {d, middle, h, false};
-          m_cell[g] = m_cell[f];
-          queue.push({d, g, -1, false});
-        }
-      }
-    }
-    for (Index f = 0; f < faces; ++f)
-    {
-      if (!done[f]) { m_cell[f] = -1; }
-    }
-    return tree;
-  }
+  std::vector<Contact> find_spanning_contacts();
 
   // The strip through the two cells of a contact, if no link has changed a face of it.
-  bool along_cells(const Contact& c, Sleeve& sleeve) const
-  {
-    const Refined_surface& s = m_slit.surface();
-    if (c.along)
-    {
-      const auto& changed = m_slit.was_changed();
-      const Index f = s.face(c.halfedge);
-      if (f < static_cast<Index>(changed.size()) && changed[f]) { return false; }
-      if (!m_slit.may_cross(c.halfedge)) { return false; }
-      sleeve = {s.source(c.halfedge), s.target(c.halfedge), {}};
-      return true;
-    }
-    sleeve = Sleeve{};
-    const auto& changed = m_slit.was_changed();
-    const auto is_changed = [&](Index f) { return f < static_cast<Index>(changed.size()) && changed[f]; };
-    Index f = s.face(c.halfedge);
-    for (; !is_changed(f) && !m_reached[f].is_seed; f = s.face(m_reached[f].by))
-    {
-      sleeve.halfedges.push_back(m_reached[f].by);
-    }
-    if (is_changed(f)) { return false; }
-    sleeve.start = s.source(m_reached[f].by);
-    std::reverse(sleeve.halfedges.begin(), sleeve.halfedges.end());
-    sleeve.halfedges.push_back(c.halfedge);
-    if (is_changed(s.face(s.opposite[c.halfedge]))) { return false; }
-    for (f = s.face(s.opposite[c.halfedge]); !is_changed(f) && !m_reached[f].is_seed; f = s.face(m_reached[f].by))
-      sleeve.halfedges.push_back(s.opposite[m_reached[f].by]);
-    if (is_changed(f)) { return false; }
-    sleeve.end = s.source(m_reached[f].by);
-    trim(s, sleeve);
-    for (Index h : sleeve.halfedges)
-    {
-      if (!m_slit.may_cross(h)) { return false; }
-    } // a link may run along an edge
-    return is_usable(sleeve);
-  }
+  bool along_cells(const Contact& c, Sleeve& sleeve) const;
 
   // The shortest strip from boundary `from` through its cell and that of `to`, to any boundary not yet joined to it.
   bool near(Index from, Index to, Sleeve& sleeve) const
@@ -166,21 +53,10 @@ public:
   }
 
   // The shortest strip from boundary `from` to boundary `to` through parts of the given faces of the root.
-  bool along_faces(Index from, Index to, const std::vector<Index>& faces, Sleeve& sleeve) const
-  {
-    const auto is_allowed = [&](Index f) {
-      return std::binary_search(faces.begin(), faces.end(), m_slit.surface().face_of[f]);
-    };
-    return search(from, sleeve, is_allowed, to);
-  }
+  bool along_faces(Index from, Index to, const std::vector<Index>& faces, Sleeve& sleeve) const;
 
   // Takes over the faces that a link appended.
-  void grow()
-  {
-    const auto& parents = m_slit.parents;
-    for (std::size_t i = m_known_parents; i < parents.size(); ++i) { m_cell.push_back(m_cell[parents[i]]); }
-    m_known_parents = parents.size();
-  }
+  void grow();
 
 private:
   struct Reached
@@ -200,14 +76,7 @@ private:
   }
 
   // A strip that was trimmed to nothing must leave an edge that can be cut.
-  bool is_usable(const Sleeve& sleeve) const
-  {
-    if (!sleeve.halfedges.empty()) { return true; }
-    if (sleeve.start == sleeve.end) { return false; }
-    const Refined_surface& s = m_slit.surface();
-    const Index h = s.find_halfedge(sleeve.start, sleeve.end);
-    return h >= 0 && m_slit.may_cross(h);
-  }
+  bool is_usable(const Sleeve& sleeve) const;
 
   template <class Is_allowed> bool search(Index from, Sleeve& sleeve, const Is_allowed& is_allowed, Index to = -1) const
   {

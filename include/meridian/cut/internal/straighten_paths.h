@@ -2,11 +2,14 @@
 #ifndef MERIDIAN_CUT_INTERNAL_STRAIGHTEN_PATHS_H
 #define MERIDIAN_CUT_INTERNAL_STRAIGHTEN_PATHS_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <algorithm>
 #include <functional>
-#include <limits>
 #include <queue>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 namespace internal {
@@ -34,23 +37,7 @@ public:
   }
 
   // Tries every path once. Returns whether one got shorter.
-  bool straighten_all()
-  {
-    std::vector<char> seen(m_surface.number_of_halfedges(), 0);
-    std::vector<Index> firsts;
-    for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
-    {
-      if (!m_is_cut[h] || seen[h]) { continue; }
-      firsts.push_back(h);
-      for (Index g : path_through(h)) { seen[g] = seen[m_surface.opposite[g]] = 1; }
-    }
-    bool is_shorter = false;
-    for (Index h : firsts)
-    {
-      if (m_is_cut[h]) { is_shorter = straighten(path_through(h)) || is_shorter; }
-    }
-    return is_shorter;
-  }
+  bool straighten_all();
 
 private:
   using Path = std::vector<Index>; // of halfedges
@@ -60,42 +47,11 @@ private:
   bool is_near(Index corner) const { return m_mark[corner] == m_near; }
 
   // The next halfedge of a path, or -1 at a node.
-  Index continued(Index h) const
-  {
-    const Index v = m_surface.target(h);
-    if (m_degree[v] != 2 || m_surface.is_boundary_vertex(v)) { return -1; }
-    Index next = -1;
-    m_surface.for_each_outgoing(v, [&](Index g) {
-      if (m_is_cut[g] && g != m_surface.opposite[h]) { next = g; }
-    });
-    return next;
-  }
+  Index continued(Index h) const;
 
-  Path path_through(Index h) const
-  {
-    Index first = m_surface.opposite[h];
-    for (Index g = continued(first); g >= 0; g = continued(g))
-    {
-      first = g;
-      if (g == m_surface.opposite[h])
-      {
-        throw Invalid_input_error(
-          "straighten_edge_cut: a closed loop of the cut has no node; the edges are no cut graph");
-      }
-    }
-    Path path;
-    for (Index g = m_surface.opposite[first]; g >= 0; g = continued(g)) { path.push_back(g); }
-    return path;
-  }
+  Path path_through(Index h) const;
 
-  void set(const Path& path, bool is_cut)
-  {
-    for (Index h : path)
-    {
-      m_is_cut[h] = m_is_cut[m_surface.opposite[h]] = is_cut;
-      for (Index v : {m_surface.source(h), m_surface.target(h)}) { m_degree[v] += is_cut ? 1 : -1; }
-    }
-  }
+  void set(const Path& path, bool is_cut);
 
   // A walk round one boundary of the slit surface.
   struct Walk
@@ -107,42 +63,13 @@ private:
   };
 
   // Begins at the corner that the source of `h` has beside `h`.
-  Walk begin_walk(Index h)
-  {
-    while (!is_wall(h)) { h = m_surface.turn_right(h); }
-    return {h, ++m_marks};
-  }
+  Walk begin_walk(Index h);
 
-  void step(Walk& walk)
-  {
-    Index h = walk.at < 0 ? walk.first : walk.at;
-    Index g = h;
-    do {
-      m_mark[g] = walk.mark;
-      if (g != h) { walk.inwards.push_back(g); }
-      g = m_surface.turn_left(g);
-    } while (g >= 0 && !is_wall(g));
-    h = m_surface.next(h);
-    while (!is_wall(h)) { h = m_surface.next(m_surface.opposite[h]); }
-    walk.at = h;
-  }
+  void step(Walk& walk);
 
   // Marks the corners of the boundary at the source of `h`, or of that at the source of `g`, whichever is shorter.
   // Returns the halfedges that leave it into the surface.
-  std::vector<Index> mark_boundary(Index h, Index g)
-  {
-    Walk a = begin_walk(h), b = begin_walk(g);
-    while (!a.is_closed() && !b.is_closed())
-    {
-      step(a);
-      step(b);
-      if (a.at == b.first || b.at == a.first || a.first == b.first)
-        throw Invalid_input_error("straighten_edge_cut: the edges are no cut graph; more than a disc is left");
-    }
-    Walk& shorter = a.is_closed() ? a : b;
-    m_near = shorter.mark;
-    return std::move(shorter.inwards);
-  }
+  std::vector<Index> mark_boundary(Index h, Index g);
 
   // The shortest path that begins with one of some halfedges, goes through free vertices and ends with a halfedge into
   // a used vertex that `is_end` accepts, if it is shorter than `limit`.
@@ -187,46 +114,9 @@ private:
     return {};
   }
 
-  double length(const Path& path) const
-  {
-    double sum = 0;
-    for (Index h : path) { sum += m_surface.length(h); }
-    return sum;
-  }
+  double length(const Path& path) const;
 
-  bool straighten(const Path& path)
-  {
-    const Index from = m_surface.source(path.front()), to = m_surface.target(path.back());
-    set(path, false);
-    if (!is_used(from) || !is_used(to)) // the loose end of a path over a sphere
-    {
-      set(path, true);
-      return false;
-    }
-    const std::vector<Index> inwards = mark_boundary(path.front(), m_surface.opposite[path.back()]);
-
-    constexpr double less = 1 - 1e-12; // rounding must not keep the rounds going
-    Path best = path;
-    const auto improve = [&](const Path& other) {
-      if (!other.empty()) { best = other; }
-    };
-    if (m_slide)
-    {
-      improve(search(inwards, length(path) * less, [&](Index h) { return !is_near(m_surface.opposite[h]); }));
-    }
-    else
-      for (bool near : {true, false}) // whether `from` is left on the boundary marked; its sectors may lie on both
-      {
-        std::vector<Index> starts;
-        m_surface.for_each_outgoing(from, [&](Index h) {
-          if (!is_wall(h) && is_near(h) == near) { starts.push_back(h); }
-        });
-        improve(search(starts, length(best) * less,
-                       [&](Index h) { return m_surface.target(h) == to && is_near(m_surface.opposite[h]) != near; }));
-      }
-    set(best, true);
-    return best != path;
-  }
+  bool straighten(const Path& path);
 
   const Triangle_surface& m_surface;
   std::vector<char>& m_is_cut;

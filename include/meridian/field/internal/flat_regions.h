@@ -2,104 +2,25 @@
 #ifndef MERIDIAN_FIELD_INTERNAL_FLAT_REGIONS_H
 #define MERIDIAN_FIELD_INTERNAL_FLAT_REGIONS_H
 
+#include <meridian/base/vectors.h>
 #include <meridian/field/Laplace_system.h>
 #include <meridian/field/Scalar_field.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Triangle_surface.h>
 
-#include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace meridian {
 namespace internal {
 
 // Euler's characteristic of the faces around a set of nodes, in the closed model.
-inline Index characteristic_around(const Triangle_surface& s, const Closed_model& g, const std::vector<Index>& nodes)
-{
-  std::vector<Index> faces, edges, corners;
-  for (Index a : nodes)
-    for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
-    {
-      faces.push_back(s.face(g.halfedge[i]));
-      faces.push_back(s.face(s.opposite[g.halfedge[i]]));
-    }
-  const auto unique = [](std::vector<Index>& v) {
-    std::sort(v.begin(), v.end());
-    v.erase(std::unique(v.begin(), v.end()), v.end());
-  };
-  unique(faces);
-  for (Index f : faces)
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      corners.push_back(g.node[s.source(h)]);
-      if (s.opposite[h] >= 0) { edges.push_back(s.edge(h)); } // a boundary edge is a point of the model
-    }
-  unique(edges);
-  unique(corners);
-  return static_cast<Index>(corners.size()) - static_cast<Index>(edges.size()) + static_cast<Index>(faces.size());
-}
+Index characteristic_around(const Triangle_surface& s, const Closed_model& g, const std::vector<Index>& nodes);
 
 // Solves again, in a scale of its own, wherever the field is flat to rounding and the flat region is not a disc.
 // Values of a region lie in [-1, 1]; a node is flat if no neighbour differs by more than `flat`. Neighbours are those
 // of the system, which may join the nodes by other edges than the surface does.
-inline void solve_flat_regions(const Triangle_surface& s, const Closed_model& g, Laplace_system& system, std::vector<Index> nodes,
-                        Scalar_field& field)
-{
-  const Closed_model& joined = system.graph();
-  constexpr double flat = 1e-11; // far above the rounding of the solution, far below what draws a smooth contour
-  std::vector<std::pair<Index, std::vector<Index>>> open; // a region and its nodes
-  open.emplace_back(0, std::move(nodes));
-  std::vector<Index> mark(g.number_of_nodes, -1); // the last region in which a node was found flat
-  while (!open.empty())
-  {
-    const auto [region, inside] = std::move(open.back());
-    open.pop_back();
-    std::vector<Index> flats;
-    for (Index a : inside)
-    {
-      const double x = field.value[a];
-      bool is_flat = true;
-      for (Index i = joined.begin[a]; i < joined.begin[a + 1] && is_flat; ++i)
-        is_flat = std::abs(field.value_in(region, joined.neighbor[i]) - x) <= flat;
-      if (is_flat)
-      {
-        flats.push_back(a);
-        mark[a] = region;
-      }
-    }
-    for (Index seed : flats)
-    {
-      if (mark[seed] != region) { continue; }
-      std::vector<Index> part{seed}, rim;
-      mark[seed] = -1;
-      for (std::size_t i = 0; i < part.size(); ++i)
-        for (Index e = joined.begin[part[i]]; e < joined.begin[part[i] + 1]; ++e)
-          if (mark[joined.neighbor[e]] == region)
-          {
-            mark[joined.neighbor[e]] = -1;
-            part.push_back(joined.neighbor[e]);
-          }
-      if (part.size() == inside.size() || characteristic_around(s, g, part) == 1) { continue; }
-      std::sort(part.begin(), part.end());
-      for (Index a : part)
-        for (Index e = joined.begin[a]; e < joined.begin[a + 1]; ++e)
-          if (!std::binary_search(part.begin(), part.end(), joined.neighbor[e])) { rim.push_back(joined.neighbor[e]); }
-      std::sort(rim.begin(), rim.end());
-      rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
-      if (rim.empty()) { continue; }
-
-      Scalar_field::Region r{region, 0, 0};
-      for (Index a : rim) { r.offset += field.value_in(region, a) / static_cast<double>(rim.size()); }
-      for (Index a : rim) { r.scale = std::max(r.scale, std::abs(field.value_in(region, a) - r.offset)); }
-      if (!(r.scale > 0)) { continue; } // nothing to magnify: the order is flooded instead
-      const Index index = static_cast<Index>(field.regions.size());
-      field.regions.push_back(r);
-      if (field.region.empty()) { field.region.assign(g.number_of_nodes, 0); }
-      system.solve(
-        part, [&](Index a) { return field.value_in(index, a); }, field.value);
-      for (Index a : part) { field.region[a] = index; }
-      open.emplace_back(index, std::move(part));
-    }
-  }
-}
+void solve_flat_regions(const Triangle_surface& s, const Closed_model& g, Laplace_system& system,
+                        std::vector<Index> nodes, Scalar_field& field);
 
 } // namespace internal
 } // namespace meridian

@@ -4,23 +4,20 @@
 
 #include <meridian/base/Progress_observer.h>
 #include <meridian/base/Stage_runner.h>
-#include <meridian/curves/add_contours.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/find_crossing_loop.h>
-#include <meridian/curves/place_crossings.h>
-#include <meridian/surface/measures.h>
+
+#include <functional>
+#include <queue>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 namespace internal {
 
 // The contract, on normal curves.
-inline void check_contract(const Normal_curves& curves)
-{
-  for (Index n : curves.count_crossings())
-    if (n != 1)
-    {
-      throw Internal_error("find_generators: a meridian and its longitude cross " + std::to_string(n) + " times");
-    }
-}
+void check_contract(const Normal_curves& curves);
 
 // Finds longitudes, the shortest first: one is taken when no other could be shorter. Curves that are there only
 // lengthen the way of the others, so a way is the shortest still if nothing has come to its edges since it was found.

@@ -2,11 +2,21 @@
 #ifndef MERIDIAN_HANDLES_INTERNAL_FLOW_LONGITUDES_H
 #define MERIDIAN_HANDLES_INTERNAL_FLOW_LONGITUDES_H
 
+#include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/find_crossing_loop.h>
+#include <meridian/curves/morse_complex.h>
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/field/Sparse_solver.h>
+#include <meridian/field/Two_point_fields.h>
+#include <meridian/field/critical_points.h>
 #include <meridian/handles/Generators.h>
 #include <meridian/handles/internal/flow_loops.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 namespace internal {
@@ -17,125 +27,24 @@ class Flow_longitudes
 public:
   // `saddles`: of each pair's meridian, in `m.surface`. `longer`: than the arc a loop may be, by this factor.
   Flow_longitudes(const Triangle_surface& root, const Ordered_surface& m, const Morse_complex& complex,
-                  Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles, double longer, const Solvers& solvers)
-    : m_root(root), m_ordered(m), m_curves(curves), m_saddles(saddles), m_complex(complex), m_longer(longer), m_solvers(solvers),
-      m_critical(find_critical_points(m.surface, m.rank))
-  {
-    if (static_cast<int>(saddles.size()) > few) { return; }
-    m_fields = std::make_unique<Two_point_fields>(root, m_solvers.symmetric);
-    m_whole.surface = root;
-    for (Index v = 0; v < root.number_of_vertices(); ++v) { m_whole.vertex_of.push_back(v); }
-    for (Index f = 0; f < root.number_of_faces(); ++f) { m_whole.face_of.push_back(f); }
-  }
+                  Normal_curves& curves, const std::vector<std::pair<Index, Index>>& saddles, double longer,
+                  const Solvers& solvers);
 
   // Adds a longitude of flow lines for pair `i`, if there is one that is not much longer than the arc found for it.
-  bool add(Index i, const Crossing_loop& arc, Generator_pair& pair)
-  {
-    // Both lines of the meridian's saddle may come to one end in the field itself.
-    if (m_fields)
-      for (bool descend : {false, true})
-      {
-        Flow_tracer tracer(m_ordered, descend, m_critical);
-        if (take(i, find_flow_loops(m_curves, m_whole, m_ordered, {m_saddles[i].first}, tracer), m_ordered, m_whole,
-                 arc, pair))
-        {
-          return true;
-        }
-      }
-    const Index low = pair.meridian.saddle;
-    const Index across = farthest_on(arc, low);
-    if (!m_fields) { return add_on_patch(i, arc, low, across, pair); }
-    // The saddle becomes the minimum of a field; the maximum is where the shortest flow line from it comes to or, for
-    // the second iteration, across the handle.
-    for (Index high : {nearest_critical(m_saddles[i].first), across})
-    {
-      Ordered_surface h;
-      if (high < 0 || !m_fields->order(low, high, h)) { continue; }
-      if (take_all(i, h, m_whole, arc, pair)) { return true; }
-    }
-    return false;
-  }
+  bool add(Index i, const Crossing_loop& arc, Generator_pair& pair);
 
 private:
   static constexpr int few = 8;           // handles for which fields are solved on the whole surface
   static constexpr double reach = 0.3;    // of a patch, in lengths of the arc
   static constexpr std::size_t share = 4; // of all patches together, in faces of the surface, at most
 
-  Index farthest_on(const Crossing_loop& arc, Index from) const
-  {
-    Index best = -1;
-    for (const auto& step : arc.steps)
-    {
-      const Index v = m_root.source(step.halfedge);
-      if (best < 0
-          || distance(m_root.points[v], m_root.points[from]) > distance(m_root.points[best], m_root.points[from]))
-      {
-        best = v;
-      }
-    }
-    return best;
-  }
-  Index nearest_critical(Index saddle) const
-  {
-    double least = std::numeric_limits<double>::infinity();
-    Index best = -1;
-    const Complex_graph& graph = m_complex.graph;
-    for (auto [e, last] = boost::edges(graph); e != last; ++e)
-    {
-      const Flow_line& line = m_complex.lines[graph[*e].line];
-      if (m_ordered.graph.node[line.start] != m_ordered.graph.node[saddle] || !(graph[*e].length < least)) { continue; }
-      least = graph[*e].length;
-      best = root_vertex(m_root, m_ordered.surface, line.end);
-    }
-    return best;
-  }
-  bool add_on_patch(Index i, const Crossing_loop& arc, Index low, Index high, Generator_pair& pair)
-  {
-    std::vector<Index> faces;
-    for (Index x : m_curves.crossings(2 * i)) { faces.push_back(m_curves.face_after(x)); }
-    for (const auto& step : arc.steps) { faces.push_back(m_root.face(step.halfedge)); }
-    const Surface_patch patch =
-      cut_patch(m_root, faces, faces.front(), reach * arc.length, share * m_root.number_of_faces() / m_saddles.size());
-    if (!patch.vertex.count(low) || !patch.vertex.count(high) || low == high) { return false; }
-    Field_options options;
-    options.solvers = m_solvers;
-    options.minima = {patch.vertex.at(low)};
-    options.maxima = {patch.vertex.at(high)};
-    const Closed_model g = make_closed_model(patch.surface);
-    if (g.node[options.minima.front()] == g.node[options.maxima.front()]) { return false; }
-    const Ordered_surface h =
-      order_surface(patch.surface, options, run_unwatched);
-    return take_all(i, h, patch, arc, pair);
-  }
+  Index farthest_on(const Crossing_loop& arc, Index from) const;
+  Index nearest_critical(Index saddle) const;
+  bool add_on_patch(Index i, const Crossing_loop& arc, Index low, Index high, Generator_pair& pair);
   bool take_all(Index i, const Ordered_surface& h, const Surface_patch& patch, const Crossing_loop& arc,
-                Generator_pair& pair)
-  {
-    const auto critical = find_critical_points(h.surface, h.rank);
-    std::vector<Index> saddles;
-    for (const Critical_point& p : critical)
-    {
-      if (p.kind == Critical_kind::SADDLE) { saddles.push_back(p.vertex); }
-    }
-    Flow_tracer tracer(h, true, critical);
-    return take(i, find_flow_loops(m_curves, patch, h, saddles, tracer), h, patch, arc, pair);
-  }
+                Generator_pair& pair);
   bool take(Index i, const std::vector<Flow_loop>& loops, const Ordered_surface& h, const Surface_patch& patch,
-            const Crossing_loop& arc, Generator_pair& pair)
-  {
-    for (const Flow_loop& loop : loops)
-    {
-      if (loop.length > m_longer * arc.length) { return false; }
-      if (!try_loop(m_curves, 2 * i + 1, loop.steps)) { continue; }
-      pair.longitude.method = Curve_method::FLOW;
-      pair.longitude.was_flow = true;
-      pair.longitude.saddle = loop.saddle;
-      for (const auto& step : loop.steps)
-        for (Index v : {m_root.source(step.halfedge), m_root.target(step.halfedge)})
-          pair.longitude.field.emplace(v, h.field(h.graph.node[patch.vertex.empty() ? v : patch.vertex.at(v)]));
-      return true;
-    }
-    return false;
-  }
+            const Crossing_loop& arc, Generator_pair& pair);
 
   const Triangle_surface& m_root;
   const Ordered_surface& m_ordered;

@@ -2,6 +2,9 @@
 #ifndef MERIDIAN_MESH_INTERNAL_CONVERT_H
 #define MERIDIAN_MESH_INTERNAL_CONVERT_H
 
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/field/Scalar_field.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>

@@ -2,8 +2,17 @@
 #ifndef MERIDIAN_PROOF_INTERNAL_GENERATOR_VERIFIER_H
 #define MERIDIAN_PROOF_INTERNAL_GENERATOR_VERIFIER_H
 
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/Verification.h>
 #include <meridian/proof/internal/Mesh_verifier.h>
-#include <meridian/proof/internal/verify_basis.h>
+#include <meridian/proof/internal/verify_counts.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 namespace verification {
@@ -15,25 +24,7 @@ public:
     : Mesh_verifier(input, result), m_curves(curves)
   {}
 
-  Generator_verification run()
-  {
-    if (verify_mesh())
-    {
-      find_fans();
-      if (m_report.failures.empty() && read_names() && read_walks())
-      {
-        count_curves();
-        for (const Result_curve& c : m_curves)
-        {
-          if (!c.field.empty()) { check_flow(c); }
-        }
-      }
-    }
-    Generator_verification found;
-    static_cast<Verification&>(found) = std::move(m_report);
-    found.curves = std::move(m_counts);
-    return found;
-  }
+  Generator_verification run();
 
 private:
   enum Kind
@@ -60,359 +51,30 @@ private:
   void complain(const std::string& text) { m_report.failures.push_back(text); }
   const std::string& name(Id curve) const { return m_curves[curve].name; }
 
-  bool read_names()
-  {
-    const std::size_t before = m_report.failures.size();
-    static constexpr std::array<const char*, 4> kinds{"meridian_", "longitude_", "loop_", "boundary_"};
-    std::array<std::set<Id>, 4> numbers;
-    for (const Result_curve& c : m_curves)
-    {
-      int kind = -1;
-      Id number = -1;
-      for (int k = 0; k < 4; ++k)
-      {
-        const std::string prefix = kinds[k];
-        const std::string rest = c.name.substr(0, prefix.size()) == prefix ? c.name.substr(prefix.size()) : "";
-        if (rest.empty() || rest.size() > 8 || rest.find_first_not_of("0123456789") != std::string::npos) { continue; }
-        kind = k;
-        number = std::stoi(rest);
-      }
-      if (kind < 0)
-      {
-        complain("curve '" + c.name + "' is not a meridian, longitude, loop or boundary with a number");
-        continue;
-      }
-      if (!numbers[kind].insert(number).second) { complain("there are two curves '" + c.name + "'"); }
-      m_read.push_back({static_cast<Kind>(kind), number, -1, {}});
-    }
-    for (int k = 0; k < 4; ++k)
-      if (!numbers[k].empty() && *numbers[k].rbegin() != static_cast<Id>(numbers[k].size()) - 1)
-        complain(std::string("curves '") + kinds[k] + "...' are not numbered through from 0");
-    if (numbers[MERIDIAN] != numbers[LONGITUDE])
-      complain("there are " + std::to_string(numbers[MERIDIAN].size()) + " meridians and "
-               + std::to_string(numbers[LONGITUDE].size()) + " longitudes");
-    return m_report.failures.size() == before;
-  }
+  bool read_names();
 
   // Curves as walks along sides: closed, of edges of the mesh, through no vertex twice.
-  bool read_walks()
-  {
-    const std::size_t before = m_report.failures.size();
-    const Id sides = 3 * static_cast<Id>(m_result.faces.size()), vertices = static_cast<Id>(m_result.points.size());
-    m_begin.assign(vertices + 1, 0);
-    for (Id s = 0; s < sides; ++s) { ++m_begin[corner(s) + 1]; }
-    std::partial_sum(m_begin.begin(), m_begin.end(), m_begin.begin());
-    m_leaving.resize(sides);
-    std::vector<Id> fill(m_begin.begin(), m_begin.end() - 1);
-    for (Id s = 0; s < sides; ++s) { m_leaving[fill[corner(s)]++] = s; }
-    const auto find = [&](Id u, Id v) {
-      for (Id i = m_begin[u]; i < m_begin[u + 1]; ++i)
-      {
-        if (corner(next_side(m_leaving[i])) == v) { return m_leaving[i]; }
-      }
-      return Id(-1);
-    };
-    for (std::size_t c = 0; c < m_curves.size(); ++c)
-    {
-      const auto& points = m_curves[c].points;
-      const std::string& text = m_curves[c].name;
-      if (points.size() < 4 || points.front() != points.back())
-      {
-        complain(text + " is not closed, or has less than three edges");
-        continue;
-      }
-      std::vector<Id> sorted(points.begin() + 1, points.end());
-      std::sort(sorted.begin(), sorted.end());
-      if (sorted.front() < 0 || sorted.back() >= vertices)
-      {
-        complain(text + " names a vertex that is not there");
-        continue;
-      }
-      const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
-      if (twice != sorted.end())
-      {
-        complain(text + " touches itself at vertex " + std::to_string(*twice));
-        continue;
-      }
-      for (std::size_t i = 0; i + 1 < points.size(); ++i)
-      {
-        Id s = find(points[i], points[i + 1]);
-        const int sign = s >= 0 ? 1 : -1;
-        if (s < 0) { s = find(points[i + 1], points[i]); }
-        if (s < 0)
-        {
-          complain(text + " goes from vertex " + std::to_string(points[i]) + " to " + std::to_string(points[i + 1])
-                   + " where the mesh has no edge");
-          break;
-        }
-        m_read[c].walk.emplace_back(s, sign);
-        m_read[c].component = component(s / 3);
-      }
-    }
-    return m_report.failures.size() == before;
-  }
+  bool read_walks();
 
   // The sides that leave a vertex, counterclockwise; on a boundary, from its one end to the other.
-  std::vector<Id> rotation(Id v) const
-  {
-    std::vector<Id> around;
-    Id start = m_leaving[m_begin[v]];
-    for (Id s = start;;)
-    {
-      const Id o = m_result_twin[s]; // one step clockwise
-      if (o < 0)
-      {
-        start = s;
-        break;
-      }
-      s = next_side(o);
-      if (s == start) { break; }
-    }
-    for (Id s = start;;)
-    {
-      around.push_back(s);
-      s = m_result_twin[next_side(next_side(s))];
-      if (s < 0 || s == start) { return around; }
-    }
-  }
+  std::vector<Id> rotation(Id v) const;
 
-  void count_curves()
-  {
-    const int components = static_cast<int>(m_report.components.size());
-    m_counts.assign(components, {});
-    std::vector<std::vector<Id>> of(components); // curves that should generate
-    std::vector<Id> order(m_read.size());
-    std::iota(order.begin(), order.end(), Id(0));
-    std::sort(order.begin(), order.end(), [&](Id a, Id b) {
-      const auto key = [&](Id c) { return std::make_tuple(m_read[c].number, static_cast<int>(m_read[c].kind)); };
-      return key(a) < key(b);
-    });
-    for (Id c : order)
-    {
-      if (m_read[c].kind == BOUNDARY) { check_boundary(c); }
-      else { of[m_read[c].component].push_back(c); }
-    }
-    int last = 0;
-    for (Id c : order)
-    {
-      if (m_read[c].kind == BOUNDARY) { continue; }
-      if (m_read[c].component < last)
-      {
-        complain(name(c) + " lies on component " + std::to_string(m_read[c].component) + ", out of order");
-      }
-      last = m_read[c].component;
-    }
-    find_intersections();
-    std::vector<std::vector<Id>> faces(components);
-    std::vector<Id> local(m_result.faces.size());
-    for (Id f = 0; f < static_cast<Id>(m_result.faces.size()); ++f)
-    {
-      local[f] = static_cast<Id>(faces[component(f)].size());
-      faces[component(f)].push_back(f);
-    }
-    for (int i = 0; i < components; ++i)
-    {
-      const Component_count& count = m_report.components[i];
-      const bool are_pairs = of[i].empty() || m_read[of[i].front()].kind != LOOP;
-      m_counts[i].pairs = static_cast<int>(of[i].size()) / 2;
-      if (static_cast<int>(of[i].size()) != 2 * count.genus)
-      {
-        complain("component " + std::to_string(i) + " has genus " + std::to_string(count.genus) + " and "
-                 + std::to_string(of[i].size()) + " curves, not twice as many");
-        continue;
-      }
-      if (m_counts[i].boundary_loops != count.boundary_loops)
-        complain("component " + std::to_string(i) + " has " + std::to_string(count.boundary_loops)
-                 + " boundary loops, and " + std::to_string(m_counts[i].boundary_loops) + " are listed");
-      fill_matrix(i, of[i], are_pairs);
-      // A symplectic matrix is unimodular: on a closed component the curves are a basis.
-      if (m_counts[i].is_symplectic && count.boundary_loops == 0)
-      {
-        m_counts[i].is_basis = true;
-        continue;
-      }
-      check_basis(i, of[i], faces[i], local);
-    }
-  }
+  void count_curves();
 
-  void check_boundary(Id c)
-  {
-    for (const auto& [side, sign] : m_read[c].walk)
-      if (m_result_twin[side] >= 0)
-      {
-        complain(name(c) + " leaves the boundary");
-        return;
-      }
-    ++m_counts[m_read[c].component].boundary_loops;
-    const auto first = std::min_element(m_read[c].walk.begin(), m_read[c].walk.end())->first;
-    if (!m_boundaries.insert(first).second) { complain(name(c) + " is listed twice"); }
-  }
+  void check_boundary(Id c);
 
-  void find_intersections()
-  {
-    std::vector<std::pair<Id, Pass>> passes; // by vertex
-    std::vector<std::pair<Id, Id>> edges;    // higher side, curve
-    for (std::size_t c = 0; c < m_read.size(); ++c)
-    {
-      const auto& walk = m_read[c].walk;
-      if (m_read[c].kind == BOUNDARY) { continue; }
-      const auto& points = m_curves[c].points;
-      for (std::size_t i = 0; i < walk.size(); ++i)
-      {
-        passes.push_back({points[i], {static_cast<Id>(c), points[(i + walk.size() - 1) % walk.size()], points[i + 1]}});
-        edges.emplace_back(std::max(walk[i].first, m_result_twin[walk[i].first]), static_cast<Id>(c));
-      }
-    }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 1; i < edges.size(); ++i)
-      if (edges[i].first == edges[i - 1].first) { m_touches.insert({edges[i - 1].second, edges[i].second}); }
-    for (const auto& [a, b] : m_touches) { complain(name(a) + " and " + name(b) + " run along one edge"); }
-    std::sort(passes.begin(), passes.end(), [](const auto& a, const auto& b) {
-      return std::tie(a.first, a.second.curve) < std::tie(b.first, b.second.curve);
-    });
-    for (std::size_t i = 0, j; i < passes.size(); i = j)
-    {
-      for (j = i; j < passes.size() && passes[j].first == passes[i].first; ++j) {}
-      if (j - i < 2) { continue; }
-      std::map<Id, int> place; // of the neighbours around the vertex
-      for (Id s : rotation(passes[i].first))
-      {
-        place.emplace(corner(next_side(s)), static_cast<int>(place.size()));
-        if (m_result_twin[next_side(next_side(s))] < 0)
-        {
-          place.emplace(corner(next_side(next_side(s))), static_cast<int>(place.size()));
-        }
-      }
-      for (std::size_t a = i; a < j; ++a)
-        for (std::size_t b = a + 1; b < j; ++b) { meet(passes[i].first, passes[a].second, passes[b].second, place); }
-    }
-  }
+  void find_intersections();
 
   // Two curves at one vertex: do they cross, and which way?
-  void meet(Id v, const Pass& a, const Pass& b, const std::map<Id, int>& place)
-  {
-    const auto key = std::make_pair(a.curve, b.curve);
-    const int in = place.at(a.from), out = place.at(a.to);
-    const auto is_right = [&](Id neighbor) { // counterclockwise from where `a` comes to where it goes
-      const int p = place.at(neighbor);
-      return in < out ? in < p && p < out : p > in || p < out;
-    };
-    const bool from_right = is_right(b.from), to_right = is_right(b.to);
-    Meeting& m = m_meetings[key];
-    ++m.vertices;
-    m.vertex = v;
-    if (from_right != to_right)
-    {
-      ++m.crossings;
-      m.number += from_right ? 1 : -1;
-    }
-  }
+  void meet(Id v, const Pass& a, const Pass& b, const std::map<Id, int>& place);
 
-  void fill_matrix(int component, const std::vector<Id>& curves, bool are_pairs)
-  {
-    const std::size_t before = m_report.failures.size();
-    Curve_count& count = m_counts[component];
-    std::map<Id, int> row;
-    for (std::size_t i = 0; i < curves.size(); ++i) { row[curves[i]] = static_cast<int>(i); }
-    for (const auto& [key, m] : m_meetings)
-    {
-      const auto a = row.find(key.first), b = row.find(key.second);
-      if (a == row.end() || b == row.end() || m.number == 0) { continue; }
-      count.intersections[{a->second, b->second}] = m.number;
-      count.intersections[{b->second, a->second}] = -m.number;
-    }
-    count.is_symplectic = count.intersections.size() == curves.size();
-    for (std::size_t i = 0; i < curves.size(); i += 2)
-    {
-      const auto entry = count.intersections.find({static_cast<int>(i), static_cast<int>(i) + 1});
-      count.is_symplectic = count.is_symplectic && entry != count.intersections.end() && entry->second == 1;
-    }
-    if (!are_pairs) { return; }
-    std::set<std::pair<Id, Id>> seen;
-    for (const auto& [key, m] : m_meetings)
-    {
-      if (!row.count(key.first) || m_touches.count(key)) { continue; }
-      const bool is_pair = m_read[key.first].number == m_read[key.second].number;
-      const std::string both = name(key.first) + " and " + name(key.second);
-      if (!is_pair)
-      {
-        complain(both + (m.crossings == 0 ? " touch" : " cross") + ", at " + std::to_string(m.vertices)
-                 + " vertices (last: " + std::to_string(m.vertex) + ")");
-        continue;
-      }
-      seen.insert(key);
-      const int forward = m_read[key.first].kind == MERIDIAN ? m.number : -m.number;
-      if (m.vertices != 1) { complain(both + " share " + std::to_string(m.vertices) + " vertices, not one"); }
-      else if (m.crossings == 0)
-      {
-        complain(both + " touch at vertex " + std::to_string(m.vertex) + " without crossing");
-      }
-      else if (forward != 1) { complain(both + " cross with the intersection number -1: one of them is reversed"); }
-    }
-    for (std::size_t i = 0; i + 1 < curves.size(); i += 2)
-      if (!seen.count(std::minmax(curves[i], curves[i + 1])))
-      {
-        complain(name(curves[i]) + " and " + name(curves[i + 1]) + " do not meet");
-      }
-    if (!count.is_symplectic && m_report.failures.size() == before)
-      complain("the intersection matrix of component " + std::to_string(component)
-               + " is not the standard symplectic one");
-  }
+  void fill_matrix(int component, const std::vector<Id>& curves, bool are_pairs);
 
   void check_basis(int component, const std::vector<Id>& curves, const std::vector<Id>& faces,
-                   const std::vector<Id>& local)
-  {
-    const Component_count& count = m_report.components[component];
-    const Tree_cotree trees(faces, local, m_result_twin, static_cast<Id>(m_result.points.size()),
-                            [&](Id s) { return corner(s); });
-    std::vector<Integer_row> rows;
-    for (Id c : curves) { rows.push_back(trees.class_of(m_read[c].walk)); }
-    bool is_first = true;
-    for (std::size_t c = 0; c < m_read.size(); ++c)
-    {
-      if (m_read[c].kind != BOUNDARY || m_read[c].component != component) { continue; }
-      if (!is_first) { rows.push_back(trees.class_of(m_read[c].walk)); }
-      is_first = false;
-    }
-    if (trees.rank() != 2 * count.genus + std::max(count.boundary_loops - 1, 0))
-      complain("component " + std::to_string(component) + ": spanning trees leave " + std::to_string(trees.rank())
-               + " edges");
-    m_counts[component].is_basis = is_unimodular(rows, trees.rank());
-    if (!m_counts[component].is_basis)
-      complain("the curves of component " + std::to_string(component)
-               + ", with its boundary loops but one, are not a basis of first homology: their determinant is neither 1 "
-                 "nor -1");
-  }
+                   const std::vector<Id>& local);
 
   // Flow lines from a saddle to one place: the field rises once and falls once.
-  void check_flow(const Result_curve& c)
-  {
-    std::vector<double> values;
-    for (std::size_t i = 0; i + 1 < c.points.size(); ++i)
-    {
-      const Result_origin& o = m_result.origin[c.points[i]];
-      const auto a = c.field.find(o.index[0]), b = o.kind == Result_origin::EDGE ? c.field.find(o.index[1]) : a;
-      if (o.kind == Result_origin::FACE || a == c.field.end() || b == c.field.end())
-      {
-        complain(c.name + " is said to be made of flow lines, and its field has no value at vertex "
-                 + std::to_string(c.points[i]));
-        return;
-      }
-      values.push_back(o.kind == Result_origin::EDGE ? a->second + o.weight[0] * (b->second - a->second) : a->second);
-    }
-    int turns = 0;
-    bool is_strict = true;
-    const std::size_t n = values.size();
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      const double before = values[(i + n - 1) % n], after = values[(i + 1) % n];
-      is_strict = is_strict && (values[i] < after || values[i] > after);
-      turns += (before < values[i]) != (values[i] < after);
-    }
-    if (!is_strict || turns != 2)
-      complain(c.name + " is said to be made of flow lines, and its field turns " + std::to_string(turns)
-               + " times along it, not twice");
-  }
+  void check_flow(const Result_curve& c);
 
   struct Meeting
   {

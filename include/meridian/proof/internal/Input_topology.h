@@ -8,6 +8,8 @@
 
 #include <array>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 namespace verification {
@@ -18,85 +20,7 @@ class Input_topology
 {
 public:
   Input_topology() = default;
-  explicit Input_topology(const Polygon_soup& input)
-  {
-    std::vector<char> is_dropped(input.number_of_polygons(), 0);
-    std::vector<Id> sorted;
-    for (std::size_t i = 0; i < input.number_of_polygons(); ++i)
-    {
-      sorted.assign(input.corners.begin() + input.begin[i], input.corners.begin() + input.begin[i + 1]);
-      std::sort(sorted.begin(), sorted.end());
-      is_dropped[i] = sorted.size() < 3 || std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end();
-      if (!sorted.empty() && (sorted.front() < 0 || sorted.back() >= static_cast<Id>(input.points.size())))
-      {
-        is_dropped[i] = 1;
-        damaged.push_back(static_cast<Id>(i));
-      }
-    }
-    first_triangle.assign(input.number_of_polygons() + 1, 0);
-    for_each_triangle(input, [&](Id, Id polygon, Id a, Id b, Id c) {
-      triangles.push_back({a, b, c});
-      is_used.push_back(!is_dropped[polygon]);
-      ++first_triangle[polygon + 1];
-    });
-    std::partial_sum(first_triangle.begin(), first_triangle.end(), first_triangle.begin());
-    const Id n = static_cast<Id>(triangles.size());
-    twin.assign(3 * static_cast<std::size_t>(n), -1);
-    Union_find fans(3 * static_cast<std::size_t>(n));
-    std::vector<std::vector<Id>> crowded;
-    for_each_edge(
-      3 * n, static_cast<Id>(input.points.size()), [&](Id s) { return ends(s); },
-      [&](auto i, auto j) {
-        if (j - i == 2) { glue(*i, *(i + 1), fans); }
-        else if (j - i > 2)
-        {
-          crowded.emplace_back(i, j);
-          const auto [a, b] = ends(*i);
-          crowded_edges.insert({std::min(a, b), std::max(a, b)});
-        }
-      });
-    for (const auto& sides : crowded)
-    {
-      std::vector<std::array<Id, 3>> key;
-      for (Id s : sides)
-      {
-        const Id a = fans.find(s), b = fans.find(next_side(s));
-        const bool low_first = ends(s).first < ends(s).second;
-        key.push_back({low_first ? a : b, low_first ? b : a, s});
-      }
-      std::sort(key.begin(), key.end());
-      for (std::size_t i = 0, j; i < key.size(); i = j)
-      {
-        for (j = i; j < key.size() && key[j][0] == key[i][0] && key[j][1] == key[i][1]; ++j) {}
-        if (j - i == 2) { glue(key[i][2], key[i + 1][2], fans); }
-      }
-    }
-    Union_find parts(n);
-    for (Id s = 0; s < 3 * n; ++s)
-    {
-      if (twin[s] >= 0) { parts.join(s / 3, twin[s] / 3); }
-    }
-    component.assign(n, -1);
-    int components = 0;
-    for (Id t = 0; t < n; ++t)
-    {
-      if (!is_used[t]) { continue; }
-      component[t] = parts.find(t) == t ? components++ : component[parts.find(t)];
-    }
-    counts.resize(components);
-    const Counts c = count_glued(
-      n, twin, components + 1, [&](Id t) { return component[t] < 0 ? components : component[t]; }, fans);
-    for (int i = 0; i < components; ++i)
-    {
-      Component_count& count = counts[i];
-      count.vertices = c.vertices[i];
-      count.edges = c.edges[i];
-      count.faces = c.faces[i];
-      count.euler_characteristic = c.vertices[i] - c.edges[i] + c.faces[i];
-      count.boundary_loops = c.loops[i];
-      count.genus = (2 - count.euler_characteristic - count.boundary_loops) / 2;
-    }
-  }
+  explicit Input_topology(const Polygon_soup& input);
 
   std::vector<std::array<Id, 3>> triangles;
   std::vector<char> is_used;                 // of each triangle: not part of a face that repeats a vertex
@@ -108,20 +32,9 @@ public:
   std::vector<Component_count> counts;
 
 private:
-  std::pair<Id, Id> ends(Id s) const
-  {
-    if (!is_used[s / 3]) { return {-1, -1}; }
-    return {triangles[s / 3][s % 3], triangles[s / 3][next_side(s) % 3]};
-  }
+  std::pair<Id, Id> ends(Id s) const;
 
-  void glue(Id a, Id b, Union_find& fans)
-  {
-    twin[a] = b;
-    twin[b] = a;
-    const bool opposite = ends(a).first == ends(b).second;
-    fans.join(a, opposite ? next_side(b) : b);
-    fans.join(next_side(a), opposite ? b : next_side(b));
-  }
+  void glue(Id a, Id b, Union_find& fans);
 };
 
 } // namespace verification

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
-#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -19,17 +18,8 @@ class Union_find
 {
 public:
   explicit Union_find(std::size_t n) : m_parent(n) { std::iota(m_parent.begin(), m_parent.end(), Id(0)); }
-  Id find(Id a)
-  {
-    while (m_parent[a] != a) { a = m_parent[a] = m_parent[m_parent[a]]; }
-    return a;
-  }
-  void join(Id a, Id b)
-  {
-    a = find(a);
-    b = find(b);
-    if (a != b) { m_parent[std::max(a, b)] = std::min(a, b); }
-  }
+  Id find(Id a);
+  void join(Id a, Id b);
 
 private:
   std::vector<Id> m_parent;

@@ -1,29 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef MERIDIAN_MAP_INTERNAL_SCAFFOLD_H
-#define MERIDIAN_MAP_INTERNAL_SCAFFOLD_H
+#include <meridian/map/constrained_triangulation.h>
 
-#include <meridian/map/planar_map.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
+#include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace meridian {
+
 namespace internal {
 
-// The triangles between a simple polygon, whose corners are `loop`, and a box around it. The corners of the box are
-// appended to `at`.
-inline std::vector<std::array<Index, 3>> triangulate_outside(const std::vector<Index>& loop,
-                                                             std::vector<Plane_point>& at)
-{
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-  using Structure =
-    CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-  using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+namespace {
 
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+using Structure =
+  CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Triangulation =
+  CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
+
+} // namespace
+
+std::vector<std::array<Index, 3>> triangulate_outside(const std::vector<Index>& loop, std::vector<Plane_point>& at)
+{
   Plane_point low = at[loop.front()], high = low;
   for (Index v : loop)
     for (int i = 0; i < 2; ++i)
@@ -80,7 +84,30 @@ inline std::vector<std::array<Index, 3>> triangulate_outside(const std::vector<I
   return triangles;
 }
 
-} // namespace internal
-} // namespace meridian
+std::vector<std::array<Index, 2>> constrained_delaunay_edges(const std::vector<std::vector<Index>>& polygons,
+                                                             const std::vector<Plane_point>& at)
+{
+  std::vector<std::pair<Kernel::Point_2, Index>> points;
+  for (const auto& polygon : polygons)
+    for (Index v : polygon) { points.emplace_back(Kernel::Point_2(at[v][0], at[v][1]), v); }
+  Triangulation t;
+  t.insert(points.begin(), points.end());
+  if (t.number_of_vertices() != points.size()) { return {}; }
+  std::map<Index, Triangulation::Vertex_handle> handle;
+  for (auto v : t.finite_vertex_handles()) { handle[v->info()] = v; }
+  for (const auto& polygon : polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+      t.insert_constraint(handle.at(polygon[i]), handle.at(polygon[(i + 1) % polygon.size()]));
+    }
+  std::vector<std::array<Index, 2>> edges;
+  for (const auto& e : t.finite_edges())
+  {
+    edges.push_back({e.first->vertex(t.cw(e.second))->info(), e.first->vertex(t.ccw(e.second))->info()});
+  }
+  return edges;
+}
 
-#endif // MERIDIAN_MAP_INTERNAL_SCAFFOLD_H
+} // namespace internal
+
+} // namespace meridian

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/curves/internal/crossing_store.h>
+
+#include <meridian/base/exceptions.h>
+
+#include <algorithm>
+
+namespace meridian {
+
+namespace internal {
+
+const std::vector<Crossing_store::End>& Crossing_store::ends_at(Index v) const
+{
+  const auto found = m_ends.find(v);
+  return found == m_ends.end() ? m_no_ends : found->second;
+}
+
+Index Crossing_store::along(Index edge) const
+{
+  const auto found = m_along.find(edge);
+  return found == m_along.end() ? -1 : found->second;
+}
+
+std::vector<Crossing_store::Id> Crossing_store::crossings(Index curve) const
+{
+  std::vector<Id> all;
+  const Id first = m_curves[curve].first;
+  for (Id x = first; x >= 0;)
+  {
+    all.push_back(x);
+    x = m_crossings[x].next;
+    if (x == first) { break; }
+  }
+  return all;
+}
+
+void Crossing_store::reroute(Id first, Id last, const std::vector<Index>& halfedges, bool at_target)
+{
+  const Index curve = m_crossings[first].curve;
+  const bool open = is_open(curve);
+  const Id after = m_crossings[last].next;
+  Id at = m_crossings[first].prev;
+  for (Id x = first;; x = m_crossings[x].next)
+  {
+    unlist(x);
+    if (x == last) { break; }
+  }
+  for (Index h : halfedges)
+  {
+    const Id x = append_at(h, curve, at_target);
+    join(curve, at, x);
+    at = x;
+  }
+  join(curve, at, after);
+  if (!open) { edit_curve(curve).first = after; }
+  else if (nearest({curve, false}) < 0) { lay_along(curve); }
+}
+
+void Crossing_store::extend(const End& end, Index to, const std::vector<Index>& halfedges, Index around)
+{
+  const Index curve = end.curve;
+  if (nearest(end) < 0) { set_along(edge_along(curve), -1); }
+  Id at = nearest(end);
+  for (auto i = halfedges.rbegin(); i != halfedges.rend(); ++i)
+  {
+    const Index h = end.is_last ? m_surface.opposite[*i] : *i;
+    const Id x = append_at(h, curve, m_surface.target(h) == around);
+    if (end.is_last) { join(curve, at, x); }
+    else { join(curve, x, at); }
+    at = x;
+    if (end.is_last) { join(curve, x, -1); }
+    else { join(curve, -1, x); }
+  }
+  set_end(end, to);
+  trim(end);
+}
+
+void Crossing_store::trim(const End& end)
+{
+  const Index v = vertex(end);
+  for (Id x = nearest(end);
+       x >= 0 && (m_surface.source(m_crossings[x].halfedge) == v || m_surface.target(m_crossings[x].halfedge) == v);
+       x = nearest(end))
+  {
+    unlist(x);
+    if (end.is_last) { join(end.curve, m_crossings[x].prev, -1); }
+    else { join(end.curve, -1, m_crossings[x].next); }
+  }
+  if (nearest(end) < 0) { lay_along(end.curve); }
+}
+
+Index Crossing_store::edge_along(Index curve) const
+{
+  const Index from = vertex({curve, false}), to = vertex({curve, true});
+  const Index h = m_surface.find_halfedge(from, to), g = h >= 0 ? h : m_surface.find_halfedge(to, from);
+  if (g < 0) { throw Internal_error("edge_along: the ends of a curve are not joined by an edge"); }
+  return m_surface.edge(g);
+}
+
+Index Crossing_store::splice(const End& from, const End& to, const std::vector<Index>& halfedges)
+{
+  const Index v = vertex(from);
+  std::vector<std::pair<Id, bool>> chain; // crossings, and whether they are turned over
+  const auto take = [&](Index curve, bool is_turned) {
+    auto ids = crossings(curve);
+    if (is_turned) { std::reverse(ids.begin(), ids.end()); }
+    for (Id x : ids) { chain.emplace_back(x, is_turned); }
+  };
+  const Index curve = append_curve();
+  take(from.curve, !from.is_last);
+  for (Index h : halfedges) { chain.emplace_back(append_at(h, curve, m_surface.target(h) == v), false); }
+  const std::size_t size = chain.size();
+  take(to.curve, to.is_last);
+  std::size_t same = 0; // crossings that the two have in common next to the vertex, if no halfedge is between them
+  while (halfedges.empty() && same < size && size + same < chain.size()
+         && edge(chain[size - 1 - same].first) == edge(chain[size + same].first))
+  {
+    ++same;
+  }
+  for (std::size_t i = size - same; i < size + same; ++i) { unlist(chain[i].first); }
+  chain.erase(chain.begin() + (size - same), chain.begin() + (size + same));
+  const std::array<Index, 2> ends{vertex({from.curve, !from.is_last}), vertex({to.curve, !to.is_last})};
+  for (Index old : {from.curve, to.curve}) { clear(old); }
+  link(curve, chain, ends);
+  return curve;
+}
+
+std::array<Index, 2> Crossing_store::split(Id x, Index v)
+{
+  const Index old = m_crossings[x].curve;
+  const std::array<Index, 2> ends = m_curves[old].ends;
+  std::array<std::vector<std::pair<Id, bool>>, 2> chain;
+  int part = 0;
+  for (Id y : crossings(old))
+  {
+    if (y == x) { part = 1; }
+    else { chain[part].emplace_back(y, false); }
+  }
+  clear(old);
+  unlist(x);
+  const Index first = append_curve(), second = append_curve();
+  link(first, chain[0], {ends[0], v});
+  link(second, chain[1], {v, ends[1]});
+  return {first, second};
+}
+
+void Crossing_store::remove(Index curve)
+{
+  const auto ids = crossings(curve);
+  clear(curve);
+  for (Id x : ids) { unlist(x); }
+}
+
+Index Crossing_store::append_curve()
+{
+  m_curves.emplace_back();
+  note([this] { m_curves.pop_back(); });
+  return number_of_curves() - 1;
+}
+
+Crossing_store::Curve& Crossing_store::edit_curve(Index c)
+{
+  note([this, c, old = m_curves[c]] { m_curves[c] = old; });
+  return m_curves[c];
+}
+
+Crossing_store::Crossing& Crossing_store::edit(Id x)
+{
+  note([this, x, old = m_crossings[x]] { m_crossings[x] = old; });
+  return m_crossings[x];
+}
+
+Crossing_store::Id Crossing_store::append(Index halfedge, Index curve, double t, Index place)
+{
+  const Id x = static_cast<Id>(m_crossings.size());
+  m_crossings.push_back({halfedge, curve, -1, -1, t, -1});
+  note([this] { m_crossings.pop_back(); });
+  auto& list = edit_list(m_surface.edge(halfedge));
+  list.insert(list.begin() + place, x);
+  number(list, place);
+  return x;
+}
+
+Crossing_store::Id Crossing_store::append_at(Index halfedge, Index curve, bool at_target)
+{
+  const Index e = m_surface.edge(halfedge);
+  const bool at_end = at_target == (e == halfedge); // of the edge
+  return append(halfedge, curve, at_end ? 1. : 0., at_end ? static_cast<Index>(on(e).size()) : 0);
+}
+
+void Crossing_store::unlist(Id x)
+{
+  auto& list = edit_list(edge(x));
+  const Index place = m_crossings[x].place;
+  list.erase(list.begin() + place);
+  number(list, place);
+}
+
+void Crossing_store::join(Index curve, Id x, Id y)
+{
+  if (x >= 0) { edit(x).next = y; }
+  else { edit_curve(curve).first = y; }
+  if (y >= 0) { edit(y).prev = x; }
+  else { edit_curve(curve).last = x; }
+}
+
+void Crossing_store::set_end(const End& e, Index v)
+{
+  const Index old = vertex(e);
+  if (old >= 0) { edit_ends(old, e, false); }
+  if (v >= 0) { edit_ends(v, e, true); }
+  edit_curve(e.curve).ends[e.is_last] = v;
+}
+
+void Crossing_store::set_along(Index e, Index curve)
+{
+  note([this, e, old = along(e)] { put_along(e, old); });
+  put_along(e, curve);
+}
+
+void Crossing_store::lay_along(Index curve)
+{
+  const Index e = edge_along(curve);
+  if (!is_free(e) || m_surface.opposite[e] < 0)
+  {
+    throw Internal_error("Crossing_store: a curve runs along an edge that is not free");
+  }
+  set_along(e, curve);
+}
+
+void Crossing_store::link(Index curve, const std::vector<std::pair<Id, bool>>& chain, const std::array<Index, 2>& ends)
+{
+  Id at = -1;
+  for (const auto& [x, is_turned] : chain)
+  {
+    Crossing& crossing = edit(x);
+    crossing.curve = curve;
+    if (is_turned) { crossing.halfedge = m_surface.opposite[crossing.halfedge]; }
+    join(curve, at, x);
+    at = x;
+  }
+  join(curve, at, -1);
+  for (bool is_last : {false, true}) { set_end({curve, is_last}, ends[is_last]); }
+  trim({curve, false});
+  if (nearest({curve, true}) >= 0) { trim({curve, true}); }
+}
+
+void Crossing_store::clear(Index curve)
+{
+  if (is_open(curve))
+  {
+    if (nearest({curve, false}) < 0) { set_along(edge_along(curve), -1); }
+    for (bool is_last : {false, true}) { set_end({curve, is_last}, -1); }
+  }
+  edit_curve(curve) = Curve();
+}
+
+std::vector<Crossing_store::Id>& Crossing_store::edit_list(Index e)
+{
+  if (m_slot[e] < 0)
+  {
+    m_slot[e] = static_cast<Index>(m_lists.size());
+    m_lists.emplace_back();
+  }
+  auto& list = m_lists[m_slot[e]];
+  note([this, e, old = list] {
+    m_lists[m_slot[e]] = old;
+    number(old, 0);
+  });
+  return list;
+}
+
+void Crossing_store::edit_ends(Index v, const End& e, bool is_new)
+{
+  auto& ends = m_ends[v];
+  note([this, v, old = ends] { m_ends[v] = old; });
+  if (is_new) { ends.push_back(e); }
+  else { ends.erase(std::find(ends.begin(), ends.end(), e)); }
+}
+
+void Crossing_store::put_along(Index e, Index curve)
+{
+  if (curve < 0) { m_along.erase(e); }
+  else { m_along[e] = curve; }
+}
+
+} // namespace internal
+
+} // namespace meridian

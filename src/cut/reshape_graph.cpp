@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/cut/internal/reshape_graph.h>
+
+#include <meridian/base/Progress_observer.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/tighten_curves.h>
+#include <meridian/cut/edge_cuts.h>
+#include <meridian/cut/edge_cuts_near.h>
+#include <meridian/cut/shorten_cut_graph.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/insert_curves.h>
+#include <meridian/surface/seam_paths.h>
+#include <meridian/surface/seams.h>
+
+#include <utility>
+#include <vector>
+
+namespace meridian {
+
+namespace internal {
+
+void reshape_graph(const Triangle_surface& root, const Cut_options& options, const Stage_runner& run, Cut& cut)
+{
+  const bool is_on_edges = cut.surface.origins.empty();
+  const bool is_sphere = cut.genus == 0 && cut.boundary_loops == 0; // opened along one shortest path
+  const bool shorten = options.tightening == Tightening::GRAPH && !is_sphere;
+  if (!shorten && (!options.on_edges || is_on_edges || options.refine_where_needed)) { return; }
+  run(Stage::SHORTEN, [&] {
+    Refined_surface s(root);
+    std::vector<Index> edges = cut_of_edges_near(root, cut.surface, shorten ? 0 : 5);
+    // fast, and a better beginning
+    if (shorten) { edges = straighten_edge_cut(root, edges, Path_ends::SLIDE, options.on_edges ? 5 : 3); }
+    flag_seam(s, edges);
+    cut.paths = seam_paths(s);
+    if (!options.on_edges)
+    {
+      Tighten_options tightening = options.tighten_options;
+      tightening.progress = [&](double done) { run.progress(Stage::SHORTEN, done); };
+      const auto curves = shorten_cut_graph(root, cut.paths, tightening);
+      s = Refined_surface(root);
+      cut.paths = insert_curves(root, s, curves).vertices;
+    }
+    cut.surface = std::move(s);
+  });
+  for (auto* curves : {&cut.meridians, &cut.longitudes, &cut.flow_lines, &cut.links}) { curves->clear(); }
+}
+
+} // namespace internal
+
+} // namespace meridian

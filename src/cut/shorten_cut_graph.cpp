@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/cut/shorten_cut_graph.h>
+
+#include <meridian/base/exceptions.h>
+#include <meridian/curves/place_crossings.h>
+#include <meridian/curves/sleeve.h>
+#include <meridian/cut/internal/network_exchange.h>
+#include <meridian/cut/internal/network_moves.h>
+#include <meridian/surface/measures.h>
+
+#include <optional>
+#include <set>
+
+namespace meridian {
+
+using namespace internal;
+
+namespace internal {
+
+void add_paths(Normal_curves& curves, const std::vector<std::vector<Index>>& paths)
+{
+  const Triangle_surface& s = curves.surface();
+  for (const auto& path : paths)
+  {
+    std::vector<Normal_curves::Step> steps;
+    const auto push = [&](Index h) { // a crossing next to the source of `h`
+      if (!steps.empty() && s.opposite[steps.back().halfedge] == h)
+      {
+        steps.pop_back();
+        return;
+      }
+      const Index e = s.edge(h);
+      steps.push_back({h, e == h ? 0 : static_cast<Index>(curves.on(e).size()), e == h ? 0.25 : 0.75});
+    };
+    for (std::size_t i = 1; i + 1 < path.size(); ++i)
+    {
+      const Index back = s.find_halfedge(path[i], path[i - 1]), on = s.find_halfedge(path[i], path[i + 1]);
+      if (back < 0 || on < 0)
+      {
+        throw Internal_error("add_paths: two vertices of a path are not joined by an edge inside the surface");
+      }
+      for (Index h = s.turn_right(back); h != on; h = s.turn_right(h)) { push(h); }
+    }
+    while (!steps.empty() && touches(s, steps.front().halfedge, path.front())) { steps.erase(steps.begin()); }
+    while (!steps.empty() && touches(s, steps.back().halfedge, path.back())) { steps.pop_back(); }
+    curves.add(path.front(), path.back(), steps);
+  }
+}
+
+double network_length(const Normal_curves& curves)
+{
+  double sum = 0;
+  for (Index c = 0; c < curves.number_of_curves(); ++c)
+  {
+    if (curves.is_open(c)) { sum += curve_length(curves, c); }
+  }
+  return sum;
+}
+
+void move_vertices(Normal_curves& curves, const Tighten_options& options, const std::function<void()>& pause)
+{
+  for (int pass = 0; pass < options.passes; ++pass)
+  {
+    const double before = network_length(curves);
+    std::set<Index> vertices;
+    for (Index c = 0; c < curves.number_of_curves(); ++c)
+      if (curves.is_open(c))
+      {
+        for (bool is_last : {false, true}) { vertices.insert(curves.vertex({c, is_last})); }
+      }
+    for (Index v : vertices)
+    {
+      pause();
+      for (std::optional<Index> at = v; at && !curves.ends_at(*at).empty();) { at = move_vertex(curves, *at, options); }
+    }
+    for (Index c = 0; c < curves.number_of_curves(); ++c)
+      if (curves.is_open(c) && curves.nearest({c, false}) < 0) { exchange_neighbors(curves, c, options); }
+    tighten_curves(curves, options);
+    if (!(network_length(curves) < (1 - options.least_gain) * before)) { return; }
+  }
+}
+
+} // namespace internal
+
+namespace {
+
+// The curves of a network, placed.
+std::vector<Surface_curve> place_network(const Normal_curves& curves)
+{
+  const Triangle_surface& s = curves.surface();
+  std::vector<std::vector<Crossing>> crossings;
+  std::vector<Index> present;
+  for (Index c = 0; c < curves.number_of_curves(); ++c)
+  {
+    if (!curves.is_open(c)) { continue; }
+    present.push_back(c);
+    auto& all = crossings.emplace_back();
+    for (Index x : curves.crossings(c))
+    {
+      all.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true, -1});
+    }
+  }
+  auto placed = place_crossings(s, crossings, false,
+                                [&](Index v) { return !s.is_boundary_vertex(v) && curves.ends_at(v).empty(); });
+  for (std::size_t i = 0; i < present.size(); ++i)
+  {
+    auto& points = placed[i].points;
+    points.insert(points.begin(), Curve_point::on_vertex(curves.vertex({present[i], false})));
+    points.push_back(Curve_point::on_vertex(curves.vertex({present[i], true})));
+  }
+  return placed;
+}
+
+} // namespace
+
+std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
+                                             const Tighten_options& options)
+{
+  Normal_curves curves(root, 0);
+  internal::add_paths(curves, paths);
+  if (curves.number_of_curves() == 0) { return {}; }
+  double done = 0;
+  const auto pause = [&] {
+    if (options.progress) { options.progress(done); }
+  };
+  Tighten_options quiet = options;
+  quiet.progress = nullptr;
+  tighten_curves(curves, quiet);
+  internal::Network_exchange exchange(curves);
+  double last = internal::network_length(curves);
+  for (int round = 0; round < options.rounds; ++round)
+  {
+    done = static_cast<double>(round) / options.rounds;
+    internal::move_vertices(curves, quiet, pause);
+    for (double before = internal::network_length(curves); exchange.run(quiet, pause) > 0;)
+    {
+      const double now = internal::network_length(curves);
+      if (!(now < (1 - options.least_gain) * before)) { break; }
+      before = now;
+    }
+    tighten_curves(curves, quiet);
+    const double now = internal::network_length(curves);
+    if (!(now < (1 - options.least_gain) * last)) { break; }
+    last = now;
+  }
+  std::vector<Surface_curve> placed = place_network(curves), as_given;
+  double before = 0, after = 0;
+  for (const auto& path : paths)
+  {
+    auto& curve = as_given.emplace_back();
+    for (Index v : path) { curve.points.push_back(Curve_point::on_vertex(v)); }
+    before += length(root, curve);
+  }
+  for (const Surface_curve& curve : placed) { after += length(root, curve); }
+  // where faces have no area, the places of crossings may cost more than was gained
+  return after < before ? placed : as_given;
+}
+
+} // namespace meridian

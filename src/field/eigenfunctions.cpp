@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/field/eigenfunctions.h>
+
+#include <meridian/base/exceptions.h>
+#include <meridian/field/internal/shifted_laplacian.h>
+#include <meridian/field/intrinsic_delaunay.h>
+#include <meridian/surface/measures.h>
+
+#include <Spectra/SymEigsShiftSolver.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <string>
+
+namespace meridian {
+
+Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<double>& weights,
+                                   const std::vector<double>& mass, int k, Make_solver make_solver)
+{
+  using Operator = internal::Shifted_laplacian;
+  const Index n = g.number_of_nodes;
+  if (k < 1 || k >= n)
+    throw Invalid_input_error("a closed model of " + std::to_string(n) + " nodes has no " + std::to_string(k)
+                              + " eigenfunctions beside the constant one; ask for 1 to " + std::to_string(n - 1));
+  Operator laplacian(g, weights, mass, make_solver);
+
+  std::vector<std::pair<double, Eigen::VectorXd>> found; // by descending eigenvalues of the inverse
+  const auto search = [&](Index count) { // appends the `count` highest eigenpairs on the complement of what was found
+    Index subspace = std::min(n, std::max<Index>(2 * count + 10, 24));
+    for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace)) try
+      {
+        Spectra::SymEigsShiftSolver<Operator> solver(laplacian, count, subspace, -Operator::shift);
+        solver.init(); // from a fixed seed
+        solver.compute(Spectra::SortRule::LargestMagn, 200, 1e-10, Spectra::SortRule::SmallestAlge);
+        if (solver.info() != Spectra::CompInfo::Successful) { continue; }
+        const Eigen::VectorXd values = solver.eigenvalues();
+        const Eigen::MatrixXd vectors = solver.eigenvectors();
+        for (Index i = 0; i < count; ++i)
+        {
+          found.emplace_back(values[i], vectors.col(i));
+          laplacian.exclude(vectors.col(i));
+        }
+        return;
+      }
+      catch (const Solver_error&)
+      {
+        throw;
+      }
+      catch (const std::exception&)
+      {} // Spectra's own: the small matrix of a subspace had no eigenvalues
+    throw Solver_error("the iteration for " + std::to_string(k)
+                       + " eigenfunctions did not converge; fewer functions or positive weights would help");
+  };
+  const auto by_value = [](const auto& a, const auto& b) { return a.first < b.first; };
+  search(k);
+  while (static_cast<Index>(found.size()) + 1 < n)
+  {
+    const double highest = std::max_element(found.begin(), found.end(), by_value)->first;
+    search(1);
+    if (!(found.back().first < highest - 1e-7 * (highest + Operator::shift))) { break; } // nothing was missed
+    std::stable_sort(found.begin(), found.end(), by_value);
+    found.pop_back();
+  }
+  std::stable_sort(found.begin(), found.end(), by_value);
+  found.resize(k);
+
+  Eigenfunctions e;
+  e.values.push_back(0);
+  e.functions.emplace_back(n, 1 / std::sqrt(laplacian.total_mass()));
+  std::vector<std::pair<double, std::vector<double>>> pairs;
+  for (const auto& [value, vector] : found)
+  {
+    std::vector<double> x = laplacian.function_of(vector);
+    for (int pass = 0; pass < 2; ++pass) // once more against rounding
+    {
+      const auto remove = [&](const std::vector<double>& y) {
+        double along = 0;
+        for (Index i = 0; i < n; ++i) { along += mass[i] * x[i] * y[i]; }
+        for (Index i = 0; i < n; ++i) { x[i] -= along * y[i]; }
+      };
+      remove(e.functions.front());
+      for (const auto& p : pairs) { remove(p.second); }
+      double square = 0, largest = 0;
+      for (Index i = 0; i < n; ++i) { square += mass[i] * x[i] * x[i]; }
+      for (double& y : x) { y /= std::sqrt(square); }
+      for (double y : x) { largest = std::max(largest, std::abs(y)); }
+      const auto first =
+        std::find_if(x.begin(), x.end(), [&](double y) { return std::abs(y) >= (1 - 1e-6) * largest; });
+      if (first == x.end()) { throw Solver_error("an eigenfunction is not finite; positive weights are the safest"); }
+      if (*first < 0)
+      {
+        for (double& y : x) { y = -y; }
+      }
+    }
+    double energy = 0; // Rayleigh's quotient keeps the digits of small eigenvalues
+    for (Index a = 0; a < n; ++a)
+      for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
+      {
+        const double step = x[a] - x[g.neighbor[i]];
+        energy += weights[g.halfedge[i]] * step * step / 2;
+      }
+    pairs.emplace_back(std::max(energy, 0.), std::move(x));
+  }
+  std::stable_sort(pairs.begin(), pairs.end(), by_value);
+  for (auto& [value, x] : pairs)
+  {
+    e.values.push_back(value);
+    e.functions.push_back(std::move(x));
+  }
+  return e;
+}
+
+std::vector<double> scaled_eigenfunction(const Eigenfunctions& e, int i)
+{
+  std::vector<double> f = e.functions[i];
+  for (double& x : f) { x *= std::sqrt(e.values[i]); }
+  return f;
+}
+
+std::pair<Index, Index> find_curved_extrema(const Triangle_surface& s, const Closed_model& g, const Eigenfunctions& e)
+{
+  std::vector<char> is_minimum(g.number_of_nodes, 0), is_maximum(g.number_of_nodes, 0);
+  for (std::size_t k = 1; k < e.functions.size(); ++k)
+  {
+    const auto& x = e.functions[k];
+    for (Index a = 0; a < g.number_of_nodes; ++a)
+    {
+      bool low = true, high = true;
+      for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
+      {
+        const Index b = g.neighbor[i];
+        if (b != a) { (std::make_pair(x[b], b) < std::make_pair(x[a], a) ? low : high) = false; }
+      }
+      if (low) { is_minimum[a] = 1; }
+      if (high) { is_maximum[a] = 1; }
+    }
+  }
+  const auto most_curved = [&](const std::vector<char>& is_candidate, Index other) {
+    Index best = -1;
+    double highest = -1;
+    for (Index a = 0; a < g.number_of_nodes; ++a)
+    {
+      if (!is_candidate[a] || a == other) { continue; }
+      const double bend = g.is_loop(a) ? 0 : std::abs(curvature(s, g.representative[a]).gaussian);
+      if (!(bend > highest)) { continue; }
+      highest = bend;
+      best = a;
+    }
+    return best;
+  };
+  const Index low = most_curved(is_minimum, -1), high = most_curved(is_maximum, low);
+  if (low < 0 || high < 0) { throw Internal_error("find_curved_extrema: the functions have no two extrema"); }
+  return {low, high};
+}
+
+namespace {
+
+Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& g, Weights weights, int k,
+                                 Make_solver make_solver)
+{
+  if (weights == Weights::MEAN_VALUE)
+    throw Invalid_input_error("eigenfunctions need symmetric weights; mean-value weights are not: take positive, "
+                              "cotangent or intrinsic Delaunay weights");
+  const std::vector<double> mass = node_areas(s, g);
+  if (weights != Weights::INTRINSIC_DELAUNAY)
+  {
+    return find_eigenfunctions(g, edge_weights(s, weights), mass, k, make_solver);
+  }
+  const Weighted_graph joined = make_intrinsic_delaunay_graph(s);
+  return find_eigenfunctions(joined.graph, joined.weights, mass, k, make_solver);
+}
+
+} // namespace
+
+std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weights weights, Make_solver make_solver)
+{
+  const Closed_model g = make_closed_model(s);
+  if (i < 1 || i >= g.number_of_nodes)
+    throw Invalid_input_error("there is no eigenfunction " + std::to_string(i) + " of a surface of "
+                              + std::to_string(g.number_of_nodes) + " nodes; count from 1");
+  const auto values = scaled_eigenfunction(eigenfunctions_of(s, g, weights, i, make_solver), i);
+  std::vector<double> field;
+  for (Index a : g.node) { field.push_back(values[a]); }
+  return field;
+}
+
+std::pair<Index, Index> find_curved_vertices(const Triangle_surface& s, int functions, Weights weights,
+                                             Make_solver make_solver)
+{
+  const Closed_model g = make_closed_model(s);
+  const auto e =
+    eigenfunctions_of(s, g, weights, std::min(functions, static_cast<int>(g.number_of_nodes) - 1), make_solver);
+  const auto [a, b] = find_curved_extrema(s, g, e);
+  return {g.representative[a], g.representative[b]};
+}
+
+} // namespace meridian

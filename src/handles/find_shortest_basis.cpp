@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/handles/find_shortest_basis.h>
+
+#include <meridian/base/Stage_runner.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
+#include <meridian/curves/contours.h>
+#include <meridian/curves/passings.h>
+#include <meridian/curves/place_crossings.h>
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/field/order_surface.h>
+#include <meridian/handles/find_generators.h>
+#include <meridian/handles/internal/dual_loops.h>
+#include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/insert_curves.h>
+#include <meridian/surface/measures.h>
+#include <meridian/surface/root_edges.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <queue>
+#include <utility>
+
+namespace meridian {
+
+using namespace internal;
+
+namespace {
+
+// A closed curve of the root on a refined surface: through the same faces of the root, from edge to edge. Between two
+// edges it takes the shortest way through the parts of a face.
+class Loop_transfer
+{
+public:
+  Loop_transfer(const Triangle_surface& root, const Refined_surface& s)
+    : m_root(root), m_surface(s), m_parts(root.number_of_faces())
+  {
+    for (Index f = 0; f < s.number_of_faces(); ++f) { m_parts[s.face_of[f]].push_back(f); }
+  }
+
+  std::vector<Passing> transfer(const std::vector<Passing>& loop) const
+  {
+    const std::size_t n = loop.size();
+    std::vector<Passing> gates; // the halfedge of the refined surface by which each face of the root is left
+    for (const Passing& c : loop) { gates.push_back(find_part(c)); }
+    std::vector<Passing> crossings;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      crossings.push_back(gates[i]);
+      cross(m_surface.opposite[gates[i].halfedge], gates[(i + 1) % n].halfedge, crossings);
+    }
+    cancel(m_surface, crossings);
+    return crossings;
+  }
+
+private:
+  // The part of a halfedge of the root that holds a fraction of it.
+  Passing find_part(const Passing& c) const
+  {
+    const Index v = m_root.source(c.halfedge), w = m_root.target(c.halfedge);
+    Passing best{-1, 0.5};
+    for (Index f : m_parts[m_root.face(c.halfedge)])
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        Root_stretch on;
+        if (m_surface.opposite[h] < 0 || !find_stretch(m_root, m_surface, h, on) || on.halfedge != c.halfedge)
+        {
+          continue;
+        }
+        if (on.lower != std::min(v, w)) { continue; }
+        const bool from_lower = v < w;
+        // along c.halfedge
+        const double from = from_lower ? on.at[0] : 1 - on.at[0], to = from_lower ? on.at[1] : 1 - on.at[1];
+        if (best.halfedge < 0 || (from <= c.t && c.t <= to))
+        {
+          best = {h, std::min(std::max((c.t - from) / (to - from), 0.05), 0.95)};
+        }
+      }
+    if (best.halfedge < 0) { throw Internal_error("transfer: an edge of the root has no part"); }
+    return best;
+  }
+  // Adds the crossings between the face of `entry` and that of `exit`, parts of one face of the root.
+  void cross(Index entry, Index exit, std::vector<Passing>& crossings) const
+  {
+    const Index first = m_surface.face(entry), last = m_surface.face(exit), whole = m_surface.face_of[first];
+    // face: distance, and the halfedge by which the one before was left
+    std::map<Index, std::pair<double, Index>> reached{{first, {0, -1}}};
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    queue.emplace(0., first);
+    const auto from = [&](Index f) { return m_surface.point_on(f == first ? entry : reached.at(f).second, 0.5); };
+    while (!queue.empty() && queue.top().second != last)
+    {
+      const auto [d, f] = queue.top();
+      queue.pop();
+      if (d > reached.at(f).first) { continue; }
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        const Index o = m_surface.opposite[h];
+        if (o < 0 || m_surface.face_of[m_surface.face(o)] != whole) { continue; }
+        const double at = d + distance(from(f), m_surface.point_on(h, 0.5));
+        const auto [old, is_new] = reached.try_emplace(m_surface.face(o), at, h);
+        if (!is_new && !(at < old->second.first)) { continue; }
+        old->second = {at, h};
+        queue.emplace(at, m_surface.face(o));
+      }
+    }
+    if (!reached.count(last)) { throw Internal_error("transfer: a face of the root is not connected"); }
+    std::vector<Passing> way;
+    for (Index f = last; f != first; f = m_surface.face(way.back().halfedge))
+    {
+      way.push_back({reached.at(f).second, 0.5});
+    }
+    crossings.insert(crossings.end(), way.rbegin(), way.rend());
+  }
+
+  const Triangle_surface& m_root;
+  const Refined_surface& m_surface;
+  std::vector<std::vector<Index>> m_parts; // of each face of the root
+};
+
+// Shortens a closed curve on its own. Returns its length.
+double tighten_loop(const Triangle_surface& s, std::vector<Passing>& loop, const Tighten_options& options)
+{
+  Normal_curves curves(s, 1);
+  std::vector<Normal_curves::Step> steps;
+  for (const Passing& c : loop) { steps.push_back({c.halfedge, 0, s.edge(c.halfedge) == c.halfedge ? c.t : 1 - c.t}); }
+  curves.add(0, steps);
+  const double length = tighten_curve(curves, 0, options);
+  loop = passings_of(curves, 0);
+  return length;
+}
+
+// Places a closed curve on its own; it passes through no vertex that another one uses.
+Surface_curve place_loop(const Refined_surface& s, const std::vector<Passing>& loop)
+{
+  Normal_curves curves(s, 1);
+  std::vector<Normal_curves::Step> steps;
+  for (const Passing& c : loop) { steps.push_back({c.halfedge, 0, s.edge(c.halfedge) == c.halfedge ? c.t : 1 - c.t}); }
+  curves.add(0, steps);
+  std::vector<Crossing> crossings;
+  for (Index x : curves.crossings(0))
+  {
+    crossings.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true});
+  }
+  return place_crossings(s, {crossings}, true,
+                         [&](Index v) {
+                           bool is_free = !s.is_boundary_vertex(v);
+                           s.for_each_outgoing(v, [&](Index h) { is_free = is_free && !s.seam[h]; });
+                           return is_free;
+                         })
+    .front();
+}
+
+} // namespace
+
+Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_options& options)
+{
+  Homology_basis basis;
+  const internal::Stage_runner run{options.observer, basis.seconds};
+  basis.boundary_loops = static_cast<int>(boundary_loops(root).size());
+  const int characteristic = root.number_of_vertices() - root.number_of_edges() + root.number_of_faces();
+  basis.genus = (2 - characteristic - basis.boundary_loops) / 2;
+  basis.smallest_angle_before = basis.smallest_angle_after = smallest_angle(root);
+  basis.surface = Refined_surface(root);
+  if (basis.genus == 0) { return basis; }
+  const std::size_t wanted = 2 * static_cast<std::size_t>(basis.genus);
+  std::vector<internal::Dual_loop> loops;
+  run(Stage::LONGITUDES, [&] {
+    // Meridians and longitudes are candidates too.
+    Generator_options pair_options;
+    pair_options.flow = false;
+    pair_options.solvers = options.solvers;
+    pair_options.tighten = options.tighten;
+    const Ordered_surface m = order_surface(root, pair_options, run_unwatched);
+    Generators pairs;
+    pairs.genus = basis.genus;
+    Stage_times ignored;
+    std::vector<std::vector<internal::Passing>> crossings;
+    internal::find_generators(root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
+    loops = internal::find_dual_loops(
+      root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted,
+      crossings, [&](double done) { run.progress(Stage::LONGITUDES, done); });
+  });
+  run(Stage::TIGHTEN, [&] {
+    for (std::size_t i = 0; i < loops.size() && options.tighten; ++i)
+    {
+      loops[i].length = tighten_loop(root, loops[i].crossings, options.tightening);
+      run.progress(Stage::TIGHTEN, (i + 1.) / loops.size());
+    }
+    loops = internal::choose_basis(std::move(loops), wanted);
+  });
+  run(Stage::INSERT, [&] {
+    Refined_surface& s = basis.surface;
+    for (const internal::Dual_loop& loop : loops)
+    {
+      Generator_curve curve;
+      std::vector<internal::Passing> crossings = Loop_transfer(root, s).transfer(loop.crossings);
+      if (options.tighten) { tighten_loop(s, crossings, options.tightening); }
+      const Surface_curve placed = place_loop(s, crossings);
+      // an edge of an earlier curve that this one crosses: the new vertex
+      std::map<std::pair<Index, Index>, Index> divided;
+      std::vector<std::pair<Index, Index>> ends;
+      for (const Curve_point& p : placed.points)
+      {
+        ends.emplace_back(p.is_vertex()
+                            ? std::make_pair(Index(-1), Index(-1))
+                            : std::pair<Index, Index>(std::minmax({s.source(p.halfedge), s.target(p.halfedge)})));
+      }
+      curve.vertices = insert_curves(root, s, {placed}).vertices.front();
+      std::map<std::pair<Index, Index>, std::vector<std::pair<double, Index>>> on;
+      for (std::size_t i = 0; i < ends.size(); ++i)
+        if (ends[i].first >= 0)
+        {
+          on[ends[i]].emplace_back(distance(s.points[ends[i].first], s.points[curve.vertices[i]]), curve.vertices[i]);
+        }
+      for (Generator_curve& earlier : basis.loops)
+      {
+        std::vector<Index> path;
+        for (std::size_t i = 0; i < earlier.vertices.size(); ++i)
+        {
+          const Index u = earlier.vertices[i], v = earlier.vertices[(i + 1) % earlier.vertices.size()];
+          path.push_back(u);
+          auto between = on.find(std::minmax({u, v}));
+          if (between == on.end()) { continue; }
+          std::sort(between->second.begin(), between->second.end());
+          std::vector<Index> added;
+          for (const auto& [d, w] : between->second) { added.push_back(w); }
+          if (u > v) { std::reverse(added.begin(), added.end()); }
+          path.insert(path.end(), added.begin(), added.end());
+        }
+        earlier.vertices = std::move(path);
+      }
+      curve.length_found = loop.length_found;
+      basis.loops.push_back(std::move(curve));
+    }
+    for (Generator_curve& c : basis.loops) { c.length = internal::length(s, c.vertices); }
+  });
+  basis.smallest_angle_after = smallest_angle(basis.surface);
+  return basis;
+}
+
+} // namespace meridian

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/handles/internal/flow_loops.h>
+
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/curves/contours.h>
+#include <meridian/curves/morse_complex.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/surface/measures.h>
+#include <meridian/surface/root_edges.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <queue>
+#include <utility>
+
+namespace meridian {
+
+namespace internal {
+
+Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& faces, Index start, double reach,
+                        std::size_t most)
+{
+  const auto centre = [&](Index f) {
+    const auto& t = s.triangles[f];
+    return (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
+  };
+  std::unordered_map<Index, double> at;
+  using Entry = std::pair<double, Index>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (Index f : faces)
+  {
+    at[f] = 0;
+    queue.emplace(0., f);
+  }
+  std::vector<Index> chosen;
+  while (!queue.empty())
+  {
+    const auto [d, f] = queue.top();
+    queue.pop();
+    if (d > at[f]) { continue; }
+    chosen.push_back(f);
+    if (chosen.size() > most) { return {}; }
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (s.opposite[h] < 0) { continue; }
+      const Index g = s.face(s.opposite[h]);
+      const double reached = d + distance(centre(f), centre(g));
+      const auto [old, is_new] = at.try_emplace(g, reached);
+      if (reached > reach || (!is_new && !(reached < old->second)))
+      {
+        if (is_new) { at.erase(old); }
+        continue;
+      }
+      old->second = reached;
+      queue.emplace(reached, g);
+    }
+  }
+  std::sort(chosen.begin(), chosen.end());
+  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+  Polygon_soup soup;
+  std::vector<Index> vertices;
+  for (Index f : chosen) { vertices.insert(vertices.end(), s.triangles[f].begin(), s.triangles[f].end()); }
+  std::sort(vertices.begin(), vertices.end());
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (Index v : vertices) { soup.points.push_back(s.points[v]); }
+  for (Index f : chosen)
+  {
+    std::array<Index, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] =
+        static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), s.triangles[f][k]) - vertices.begin());
+    soup.add_polygon(corners.data(), 3);
+  }
+  Examination examination = examine_surface(soup, true);
+  Surface_patch patch;
+  for (Surface_component& c : examination.components)
+  {
+    if (!std::binary_search(c.triangle_of.begin(), c.triangle_of.end(),
+                            static_cast<Index>(std::lower_bound(chosen.begin(), chosen.end(), start) - chosen.begin())))
+    {
+      continue;
+    }
+    const auto is_flipped = std::find(c.is_flipped.begin(), c.is_flipped.end(), 1) != c.is_flipped.end();
+    if (is_flipped) { return {}; }
+    patch.surface = std::move(c.surface);
+    for (Index f : c.triangle_of) { patch.face_of.push_back(chosen[f]); }
+    for (Index v : c.vertex_of)
+    {
+      patch.vertex_of.push_back(
+        vertices[v < static_cast<Index>(vertices.size()) ? v : examination.added_vertex_of[v - vertices.size()]]);
+    }
+    for (std::size_t v = 0; v < patch.vertex_of.size(); ++v)
+    {
+      patch.vertex.emplace(patch.vertex_of[v], static_cast<Index>(v));
+    }
+  }
+  return patch;
+}
+
+bool push_left(const Triangle_surface& s, const std::vector<Curve_point>& loop, std::vector<Passing>& crossings)
+{
+  constexpr double beside = 0.02; // of an edge, from the vertex that is passed
+  const std::size_t n = loop.size();
+  const auto edge_of = [&](const Curve_point& p) { return s.edge(p.halfedge); };
+  const auto is_end = [&](Index v, Index h) { return s.source(h) == v || s.target(h) == v; };
+  std::vector<Index> face(n); // to the left of the way from each point to the next
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Curve_point &p = loop[i], &q = loop[(i + 1) % n];
+    Index along = -1; // a halfedge in the direction of the way, if it runs along an edge
+    if (p.is_vertex() && q.is_vertex()) { along = s.find_halfedge(p.vertex, q.vertex); }
+    else if (p.is_vertex() && is_end(p.vertex, q.halfedge))
+    {
+      along = s.source(q.halfedge) == p.vertex ? q.halfedge : s.opposite[q.halfedge];
+    }
+    else if (q.is_vertex() && is_end(q.vertex, p.halfedge))
+    {
+      along = s.target(p.halfedge) == q.vertex ? p.halfedge : s.opposite[p.halfedge];
+    }
+    else
+    {
+      // Through a face that holds both.
+      face[i] = -1;
+      const auto holds = [&](const Curve_point& x, Index f) {
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        {
+          if (x.is_vertex() ? s.source(h) == x.vertex : s.edge(h) == edge_of(x)) { return true; }
+        }
+        return false;
+      };
+      const Curve_point& inner = p.is_vertex() ? q : p;
+      for (Index h : {inner.halfedge, s.opposite[inner.halfedge]})
+        if (h >= 0 && holds(p, s.face(h)) && holds(q, s.face(h))) { face[i] = s.face(h); }
+      if (face[i] < 0) { return false; }
+      continue;
+    }
+    if (along < 0) { return false; }
+    face[i] = s.face(along);
+  }
+  crossings.clear();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Index from = face[(i + n - 1) % n], to = face[i];
+    if (from == to) { continue; }
+    const Curve_point& p = loop[i];
+    if (!p.is_vertex())
+    {
+      for (Index h : {p.halfedge, s.opposite[p.halfedge]})
+        if (h >= 0 && s.face(h) == from) { crossings.push_back({h, h == p.halfedge ? p.t : 1 - p.t}); }
+      continue;
+    }
+    Index h = 3 * from; // clockwise around the vertex, which stays on the right
+    while (s.source(h) != p.vertex) { ++h; }
+    while (s.face(h) != to)
+    {
+      crossings.push_back({h, beside});
+      if (s.opposite[h] < 0) { return false; }
+      h = s.next(s.opposite[h]);
+      if (s.face(h) == from) { return false; }
+    }
+  }
+  return true;
+}
+
+std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const Surface_patch& patch,
+                                       const Ordered_surface& m, const std::vector<Index>& saddles, Flow_tracer& tracer)
+{
+  const Triangle_surface &root = curves.surface(), &local = patch.surface;
+  std::vector<std::pair<Index, std::pair<Index, Index>>> pairs; // a saddle and its two lines
+  for (Index saddle : saddles)
+  {
+    std::vector<Index> own;
+    const auto first = static_cast<Index>(tracer.lines().size());
+    tracer.trace(saddle);
+    for (Index i = first; i < static_cast<Index>(tracer.lines().size()); ++i)
+      if (m.graph.node[tracer.lines()[i].start] == m.graph.node[saddle]) { own.push_back(i); }
+    if (own.size() == 2 && !m.surface.is_boundary_vertex(saddle)) { pairs.push_back({saddle, {own[0], own[1]}}); }
+  }
+  std::vector<Flow_loop> loops;
+  for (const auto& [saddle, lines] : pairs)
+  {
+    const auto one = whole_line(tracer.lines(), lines.first), other = whole_line(tracer.lines(), lines.second);
+    const auto key = [](const Curve_point& p) { return p.is_vertex() ? p.vertex : -1 - p.node; };
+    std::unordered_map<Index, std::size_t> place;
+    for (std::size_t i = 1; i < one.size(); ++i) { place.emplace(key(one[i]), i); }
+    std::size_t meet = 1;
+    while (meet < other.size() && !place.count(key(other[meet]))) { ++meet; }
+    if (meet == other.size()) { continue; } // they come to different ends
+    std::vector<Curve_point> loop(one.begin(), one.begin() + place.at(key(other[meet])) + 1);
+    for (std::size_t i = meet; i-- > 1;) { loop.push_back(other[i]); }
+    std::vector<Passing> pushed, crossings;
+    if (loop.size() < 3 || !push_left(m.surface, loop, pushed)) { continue; }
+    for (const Passing& c : pushed)
+    {
+      Root_stretch on;
+      if (!find_stretch(local, m.surface, c.halfedge, on)) { continue; }
+      const double t = on.at[0] + c.t * (on.at[1] - on.at[0]); // from the lower vertex of the edge
+      const Index h = 3 * patch.face_of[local.face(on.halfedge)] + on.halfedge % 3;
+      crossings.push_back({h, local.source(on.halfedge) == on.lower ? t : 1 - t});
+    }
+    cancel(root, crossings);
+    if (crossings.size() < 3) { continue; }
+    Flow_loop found{
+      {}, length(m.surface, Surface_curve{loop, true}), patch.vertex_of[root_vertex(local, m.surface, saddle)]};
+    for (const Passing& c : crossings)
+    {
+      const Index e = root.edge(c.halfedge);
+      found.steps.push_back({c.halfedge, 0, e == c.halfedge ? c.t : 1 - c.t});
+    }
+    loops.push_back(std::move(found));
+  }
+  std::sort(loops.begin(), loops.end(), [](const Flow_loop& a, const Flow_loop& b) { return a.length < b.length; });
+  return loops;
+}
+
+std::vector<Normal_curves::Step> reversed(const Triangle_surface& s, std::vector<Normal_curves::Step> steps)
+{
+  std::reverse(steps.begin(), steps.end());
+  for (auto& step : steps) { step.halfedge = s.opposite[step.halfedge]; }
+  return steps;
+}
+
+bool try_loop(Normal_curves& curves, Index curve, std::vector<Normal_curves::Step> steps)
+{
+  for (auto& step : steps)
+    for (Index x : curves.on(curves.surface().edge(step.halfedge))) { step.place += curves[x].t < step.t; }
+  curves.add(curve, steps);
+  const bool is_good = curves.crosses_partner_once(curve);
+  if (is_good && curves.runs_from_right(curve)) { return true; }
+  curves.remove(curve);
+  if (!is_good) { return false; }
+  curves.add(curve, reversed(curves.surface(), steps));
+  return true;
+}
+
+} // namespace internal
+
+} // namespace meridian

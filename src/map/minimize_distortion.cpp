@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/map/minimize_distortion.h>
+
+#include <meridian/base/exceptions.h>
+#include <meridian/map/constrained_triangulation.h>
+#include <meridian/map/is_one_to_one.h>
+#include <meridian/map/planar_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace meridian {
+
+using namespace internal;
+
+namespace internal {
+
+std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s)
+{
+  double mean = 0;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h) { mean += s.length(h) / s.number_of_halfedges(); }
+  if (!(mean > 0)) { mean = 1; }
+  std::vector<Rest_triangle> rest;
+  for (Index f = 0; f < s.number_of_faces(); ++f)
+  {
+    Index base = 3 * f;
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (s.length(h) > s.length(base)) { base = h; }
+    }
+    const double longest = s.length(base), b = std::max(longest, 1e-4 * mean);
+    const Point e = s.points[s.target(base)] - s.points[s.source(base)],
+                d = s.points[s.apex(base)] - s.points[s.source(base)];
+    const double x = longest > 0 ? std::min(std::max(dot(e, d) / longest, 0.), b) : b / 2;
+    const double y = std::max(longest > 0 ? norm(meridian::cross(e, d)) / longest : 0, 1e-3 * b);
+    rest.push_back(make_rest_triangle({s.source(base), s.target(base), s.apex(base)}, b, x, y));
+  }
+  return rest;
+}
+
+} // namespace internal
+
+namespace {
+
+// A triangle that should keep the shape it has.
+Rest_triangle rest_as_is(const std::array<Index, 3>& t, const std::vector<Plane_point>& at)
+{
+  const Plane_point e = at[t[1]] - at[t[0]], d = at[t[2]] - at[t[0]];
+  const double b = norm(e);
+  Rest_triangle r = make_rest_triangle(t, b, dot(e, d) / b, cross(e, d) / b);
+  for (Plane_point& g : r.gradients) { g = {(g[0] * e[0] - g[1] * e[1]) / b, (g[0] * e[1] + g[1] * e[0]) / b}; }
+  return r;
+}
+
+} // namespace
+
+namespace internal {
+
+Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool has_free_border,
+                                           std::vector<Plane_point>& at, Make_solver make_solver)
+  : m_at(at), m_make_solver(make_solver), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)),
+    m_row(at.size() + 4, -1)
+{
+  const auto loops = boundary_loops(disc);
+  for (Index h : loops.front()) { m_loop.push_back(disc.source(h)); }
+  for (Index v = 0; v < disc.number_of_vertices(); ++v)
+  {
+    if (has_free_border || !disc.is_boundary_vertex(v)) { m_row[v] = m_rows++; }
+  }
+  double image = 0;
+  for (const Rest_triangle& t : m_faces)
+  {
+    m_area += t.weight;
+    image += cross(m_at[t.corners[1]] - m_at[t.corners[0]], m_at[t.corners[2]] - m_at[t.corners[0]]) / 2;
+  }
+  // It is the surface that is scaled, so that a border that is fixed stays to the bit.
+  const double scale = std::sqrt(m_area / image);
+  for (Rest_triangle& t : m_faces)
+  {
+    for (Plane_point& g : t.gradients) { g = scale * g; }
+  }
+}
+
+double Distortion_minimizer::step()
+{
+  if (m_rows == 0) { return 0; }
+  const std::size_t n = m_at.size();
+  std::vector<Plane_point> with_box = m_at;
+  // What is outside resists being squeezed. Its triangles are made anew for each step, so they can give way.
+  m_outside.clear();
+  if (m_has_free_border)
+  {
+    for (const auto& t : triangulate_outside(m_loop, with_box)) { m_outside.push_back(rest_as_is(t, with_box)); }
+  }
+  for (Rest_triangle& t : m_outside) { t.weight = m_resistance * m_area / static_cast<double>(m_outside.size()); }
+  std::vector<Plane_point> move(with_box.size(), {0, 0});
+  const double slope = find_direction(with_box, move);
+  const double before = energy(m_at), gain = -slope / before;
+  if (!(gain > 0)) { return 0; }
+
+  const auto before_collapse = [&](const std::vector<Rest_triangle>& triangles) {
+    double length = 1;
+    for (const Rest_triangle& t : triangles) { length = std::min(length, step_to_collapse(t, with_box, move)); }
+    return length < 1 ? 0.9 * length : 1;
+  };
+  double length = before_collapse(m_faces);
+  const double safe = std::min(length, before_collapse(m_outside)); // so far nothing outside is turned over
+  std::vector<Plane_point> next(n);
+  bool was_safe = false;
+  for (int tries = 0; tries < 80; ++tries, length /= 2)
+  {
+    if (length < safe && !was_safe)
+    {
+      length = safe;
+      was_safe = true;
+    }
+    for (std::size_t i = 0; i < n; ++i) { next[i] = m_at[i] + length * move[i]; }
+    const auto is_turned = [&](const Rest_triangle& t) {
+      return orientation_of(next[t.corners[0]], next[t.corners[1]], next[t.corners[2]]) <= 0;
+    };
+    if (!(energy(next) < before) || std::any_of(m_faces.begin(), m_faces.end(), is_turned)
+        || (m_has_free_border && !is_simple(m_loop, next)))
+    {
+      continue;
+    }
+    m_at.swap(next);
+    if (length < 0.4) { m_resistance = std::min(8 * m_resistance, 100.); }
+    if (length > 0.8) { m_resistance = std::max(m_resistance / 2, 1e-6); }
+    return gain;
+  }
+  return 0;
+}
+
+double Distortion_minimizer::energy(const std::vector<Plane_point>& at) const
+{
+  double sum = 0;
+  for (const Rest_triangle& t : m_faces) { sum += t.weight * symmetric_dirichlet_energy(gradient_of(t, at)); }
+  return sum;
+}
+
+double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move) const
+{
+  const std::size_t unknowns = 2 * static_cast<std::size_t>(m_rows);
+  Sparse_matrix hessian(static_cast<Index>(unknowns));
+  std::vector<double> right(unknowns, 0), solution;
+  double trace = 0;
+  const auto add = [&](const Rest_triangle& t) {
+    const Energy_derivatives d = derive_energy(t, gradient_of(t, at));
+    for (int k = 0; k < 6; ++k)
+    {
+      const Index row = m_row[t.corners[k / 2]] < 0 ? -1 : 2 * m_row[t.corners[k / 2]] + k % 2;
+      if (row < 0) { continue; }
+      right[row] -= t.weight * d.gradient[k];
+      for (int l = 0; l < 6; ++l)
+      {
+        const Index column = m_row[t.corners[l / 2]] < 0 ? -1 : 2 * m_row[t.corners[l / 2]] + l % 2;
+        if (column < 0 || column > row) { continue; }
+        double entry = 0;
+        for (const Hessian_mode& mode : d.modes) { entry += mode.lambda * mode.q[k] * mode.q[l]; }
+        hessian.add(row, column, t.weight * entry);
+        if (k == l) { trace += t.weight * entry; }
+      }
+    }
+  };
+  for (const Rest_triangle& t : m_faces) { add(t); }
+  for (const Rest_triangle& t : m_outside) { add(t); }
+  // A little is added to the diagonal, and more if rounding made the matrix indefinite.
+  double added = 1e-12 * trace / static_cast<double>(unknowns);
+  for (int tries = 0;; ++tries, added *= 100)
+  {
+    for (std::size_t i = 0; i < unknowns; ++i) { hessian.add(i, i, added); }
+    const auto solver = m_make_solver();
+    if (solver->factor(hessian) && solver->solve(right, solution)) { break; }
+    if (tries == 6)
+      throw Solver_error(
+        "the system of " + std::to_string(unknowns)
+        + " equations for a map of low distortion cannot be factorized; a map into a circle needs less");
+  }
+  double slope = 0;
+  for (std::size_t v = 0; v < m_at.size(); ++v)
+  {
+    if (m_row[v] < 0) { continue; }
+    const std::size_t row = 2 * static_cast<std::size_t>(m_row[v]);
+    move[v] = {solution[row], solution[row + 1]};
+    slope -= move[v][0] * right[row] + move[v][1] * right[row + 1];
+  }
+  return slope;
+}
+
+} // namespace internal
+
+void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options)
+{
+  internal::Distortion_minimizer minimizer(disc, options.has_free_border, at, options.make_solver);
+  for (int i = 0; i < options.iterations; ++i)
+  {
+    if (options.progress) { options.progress(static_cast<double>(i) / options.iterations); }
+    if (minimizer.step() < options.least_gain) { return; }
+  }
+}
+
+} // namespace meridian

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/map/parameterize_disc.h>
+
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/map/distortion.h>
+#include <meridian/map/internal/cgal_maps.h>
+#include <meridian/map/is_one_to_one.h>
+#include <meridian/map/map_into_polygon.h>
+#include <meridian/map/map_with_low_stretch.h>
+#include <meridian/map/minimize_distortion.h>
+#include <meridian/map/planar_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace meridian {
+
+using namespace internal;
+
+namespace {
+
+// The corners of a square, which lie at the quarters of the border, and points along its sides between them.
+std::vector<Plane_point> place_on_square(const std::vector<double>& places)
+{
+  std::vector<std::size_t> corner; // the points nearest to the quarters, all different
+  for (int k = 0; k < 4; ++k)
+  {
+    std::size_t i = std::lower_bound(places.begin(), places.end(), 0.25 * k) - places.begin();
+    if (i > 0 && (i == places.size() || 0.25 * k - places[i - 1] < places[i] - 0.25 * k)) { --i; }
+    if (k > 0) { i = std::max(i, corner.back() + 1); }
+    corner.push_back(std::min(i, places.size() - 4 + k));
+  }
+  constexpr std::array<Plane_point, 5> at{Plane_point{0, 0}, Plane_point{1, 0}, Plane_point{1, 1}, Plane_point{0, 1},
+                                          Plane_point{0, 0}};
+  std::vector<Plane_point> points(places.size());
+  for (int k = 0; k < 4; ++k)
+  {
+    const std::size_t first = corner[k], last = k < 3 ? corner[k + 1] : places.size();
+    const double from = places[first], to = k < 3 ? places[last] : 1 + places[corner[0]];
+    for (std::size_t i = first; i < last; ++i)
+    {
+      const double t = (places[i] - from) / (to - from);
+      for (int d = 0; d < 2; ++d)
+      {
+        points[i][d] = at[k][d] == at[k + 1][d] ? at[k][d] : (1 - t) * at[k][d] + t * at[k + 1][d];
+      }
+    }
+  }
+  return points;
+}
+
+// Maps a disc by one method. Returns why there is no map, or nothing.
+std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options,
+                     std::vector<Plane_point>& at)
+{
+  if (method >= Map_method::MEAN_VALUE) { return map_with_cgal(disc, method, border == Map_border::SQUARE, at); }
+  const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
+  const auto loop = is_given ? options.loop : boundary_loops(disc).front();
+  const auto places = places_along(disc, loop);
+  const auto polygon = is_given                       ? options.polygon
+                       : border == Map_border::SQUARE ? place_on_square(places)
+                                                      : place_on_circle(places);
+  if (method == Map_method::POSITIVE)
+  {
+    at = map_into_polygon(disc, edge_weights(disc, Weights::POSITIVE), loop, polygon, options.make_solver);
+    return "";
+  }
+  at = map_with_low_stretch(disc, loop, polygon, method == Map_method::STRETCH ? 20 : 3, options.make_solver);
+  if (method == Map_method::STRETCH) { return ""; }
+  if (!is_one_to_one(disc, at))
+  {
+    return "double precision is not enough for the map into a convex polygon that it begins with";
+  }
+  Distortion_options distortion;
+  distortion.has_free_border = border == Map_border::FREE;
+  distortion.progress = options.progress;
+  distortion.make_solver = options.make_solver;
+  try
+  {
+    minimize_distortion(disc, at, distortion);
+  }
+  catch (const Solver_error&)
+  {} // what was reached so far is a map
+  return "";
+}
+
+// Moves a map into the unit square and rounds it to 50 bits, so that it fits wherever it is packed later.
+void place_in_unit_square(std::vector<Plane_point>& at)
+{
+  Plane_point low = at.front(), high = low;
+  for (const Plane_point& p : at)
+    for (int k = 0; k < 2; ++k)
+    {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  const double size = std::max(high[0] - low[0], high[1] - low[1]), grid = std::ldexp(1., 50);
+  for (Plane_point& p : at)
+    for (int k = 0; k < 2; ++k) { p[k] = size > 0 ? std::nearbyint((p[k] - low[k]) / size * grid) / grid : 0; }
+}
+
+} // namespace
+
+Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options)
+{
+  const bool is_small = boundary_loops(disc).front().size() < 4; // no square
+  using Choice = std::pair<Map_method, Map_border>;
+  std::vector<Choice> choices;
+  const auto add = [&](Map_method m, Map_border border) {
+    if (border == Map_border::FREE && !has_free_border(m)) { border = Map_border::CIRCLE; }
+    if (border == Map_border::SQUARE && is_small) { border = Map_border::CIRCLE; }
+    if (m == Map_method::LSCM || m == Map_method::ARAP) { border = Map_border::FREE; }
+    if (std::find(choices.begin(), choices.end(), Choice(m, border)) == choices.end())
+    {
+      choices.emplace_back(m, border);
+    }
+  };
+  add(options.method, options.border);
+  if (choices.front().second == Map_border::FREE) { add(Map_method::SYMMETRIC_DIRICHLET, Map_border::FREE); }
+  for (Map_border border : {options.border, options.polygon.empty() ? Map_border::CIRCLE : options.border})
+    for (Map_method m : {Map_method::POSITIVE, Map_method::TUTTE, Map_method::STRETCH}) { add(m, border); }
+
+  Parameterization best;
+  for (const auto& [method, border] : choices)
+  {
+    std::vector<Plane_point> at;
+    std::string reason;
+    try
+    {
+      reason = map_disc(disc, method, border, options, at);
+    }
+    catch (const Solver_error& e)
+    {
+      reason = e.what();
+    }
+    if (!reason.empty())
+    {
+      best.attempts.push_back({method, border, -1, reason});
+      continue;
+    }
+    place_in_unit_square(at);
+    auto flipped = find_flipped_faces(disc.triangles, at);
+    best.attempts.push_back({method, border, static_cast<Index>(flipped.size()), ""});
+    if (best.at.empty() || flipped.size() < best.flipped.size())
+    {
+      best.at = std::move(at);
+      best.method = method;
+      best.border = border;
+      best.flipped = std::move(flipped);
+    }
+    if (best.flipped.empty()) { break; }
+  }
+  if (best.at.empty()) { throw Solver_error("the disc has no map into the plane: " + best.attempts.back().reason); }
+  best.is_one_to_one = best.flipped.empty() && is_one_to_one(disc, best.at);
+  best.faces = measure_faces(disc.points, disc.triangles, best.at);
+  best.distortion = measure_distortion(disc.points, disc.triangles, best.at, best.faces);
+  return best;
+}
+
+} // namespace meridian

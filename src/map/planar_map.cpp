@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/map/planar_map.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+namespace meridian {
+
+int orientation_of(const Plane_point& a, const Plane_point& b, const Plane_point& c)
+{
+  using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+  return CGAL::orientation(Point_2(a[0], a[1]), Point_2(b[0], b[1]), Point_2(c[0], c[1]));
+}
+
+std::vector<Index> find_flipped_faces(const std::vector<std::array<Index, 3>>& triangles,
+                                      const std::vector<Plane_point>& at)
+{
+  std::vector<Index> flipped;
+  for (std::size_t f = 0; f < triangles.size(); ++f)
+  {
+    const auto& t = triangles[f];
+    if (orientation_of(at[t[0]], at[t[1]], at[t[2]]) <= 0) { flipped.push_back(static_cast<Index>(f)); }
+  }
+  return flipped;
+}
+
+double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at)
+{
+  double sum = 0;
+  for (const auto& t : triangles) { sum += cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]) / 2; }
+  return sum;
+}
+
+} // namespace meridian
