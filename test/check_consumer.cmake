@@ -1,4 +1,6 @@
-# Installs the package into a fresh folder, and configures, builds and runs a project that finds it there.
+# Installs the package into a fresh folder, and configures, builds and runs a project that finds it there: by CMake's package, and by
+# pkg-config without CMake.
+cmake_minimum_required(VERSION 3.24)
 file(REMOVE_RECURSE ${BUILD})
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status)
@@ -11,3 +13,21 @@ run(${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}/build -DCMAKE_PREFIX_PATH=${BUILD}
 run(${CMAKE_COMMAND} --build ${BUILD}/build)
 run(${BUILD}/build/consumer)
 run(${BUILD}/prefix/bin/meridian --version)
+if(NOT EXISTS ${BUILD}/prefix/share/doc/meridian/LICENSE)
+  message(FATAL_ERROR "the licence is not installed")
+endif()
+
+find_program(PKG_CONFIG pkg-config)
+if(PKG_CONFIG)
+  file(GLOB_RECURSE pc ${BUILD}/prefix/meridian.pc)
+  get_filename_component(folder ${pc} DIRECTORY)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env PKG_CONFIG_PATH=${folder} ${PKG_CONFIG} --define-variable=prefix=${BUILD}/prefix
+                          --cflags --libs meridian
+                  OUTPUT_VARIABLE flags OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "pkg-config does not find the package in ${folder}")
+  endif()
+  separate_arguments(flags UNIX_COMMAND "${flags}")
+  run(${COMPILER} -std=c++17 ${SOURCE}/consumer.cpp -o ${BUILD}/by_pkg_config ${flags} -Wl,-rpath,${BUILD}/prefix/lib)
+  run(${BUILD}/by_pkg_config)
+endif()

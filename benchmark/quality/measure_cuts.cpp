@@ -2,10 +2,22 @@
 // recounted before its row is printed. Rows are separated by tabs, the first names the columns, "-" stands for what was
 // not measured.
 #include "files/read_mesh.h"
-#include "instances.h"
 #include "support/implicit_surfaces.h"
 
-#include <meridian/result/assemble_result.h>
+#include <meridian/base/Progress_observer.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/surface/measures.h>
+#include <meridian/surface/seam_paths.h>
 #include <meridian/unwrap/cut_family.h>
 
 #include <chrono>

@@ -2,10 +2,18 @@
 // disturbed otherwise. `measure_generators lengths MESH...`: their lengths beside those of other constructions on the
 // same mesh.
 #include "files/read_mesh.h"
-#include "instances.h"
 #include "support/implicit_surfaces.h"
 
-#include <meridian/result/assemble_result.h>
+#include <meridian/base/vectors.h>
+#include <meridian/handles/Generators.h>
+#include <meridian/handles/find_generators.h>
+#include <meridian/handles/find_shortest_basis.h>
+#include <meridian/proof/verify_generators.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
 
 #include <cstdio>
 #include <cstring>

@@ -6,10 +6,39 @@
 #include "files/read_mesh.h"
 #include "files/write_mesh.h"
 
-#include "instances.h"
-
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/vectors.h>
+#include <meridian/curves/contours.h>
+#include <meridian/curves/project_contours.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/cut/link_boundaries.h>
+#include <meridian/field/Laplace_system.h>
+#include <meridian/field/Node_order.h>
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/field/Scalar_field.h>
+#include <meridian/field/critical_points.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/field/solve_harmonic_field.h>
+#include <meridian/handles/find_generators.h>
+#include <meridian/handles/preference.h>
+#include <meridian/handles/select_meridians.h>
 #include <meridian/proof/verify_cut.h>
+#include <meridian/proof/verify_generators.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/result/assemble_result.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/surface/insert_curves.h>
+#include <meridian/surface/measures.h>
+#include <meridian/surface/open_along.h>
+#include <meridian/surface/root_edges.h>
 
 #include <benchmark/benchmark.h>
 
@@ -253,7 +282,7 @@ void whole_cut(benchmark::State& state)
     x[s.prescribed[1].node] = 1;
     yardstick.push_back(seconds([&] {
       const auto weights = edge_weights(s.root, Weights::POSITIVE);
-      internal::Laplace_system<Symmetric_solver_traits> system(s.graph, weights);
+      internal::Laplace_system system(s.graph, weights);
       system.solve(
         unknown, [&](Index a) { return x[a]; }, x);
     }));

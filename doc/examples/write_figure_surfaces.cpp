@@ -2,6 +2,9 @@
 // 1.
 #include "support/implicit_surfaces.h"
 
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Triangle_surface.h>
+
 #include <fstream>
 #include <iostream>
 

@@ -9,15 +9,16 @@
 #include <meridian/surface/seams.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <string>
 #include <tuple>
-#include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
-using namespace internal;
+namespace internal {
 
 namespace {
 
@@ -59,10 +60,13 @@ void check_index(const char* function, const char* what, Index i, Index size)
 
 } // namespace
 
+} // namespace internal
+
 std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base)
 {
-  check_index("cut_by_tree_cotree", "vertex", base, s.number_of_vertices());
-  return internal::is_sphere(s) ? internal::cut_sphere(s, base) : close_tree_to_cut(s, seam_tree(s, base));
+  internal::check_index("cut_by_tree_cotree", "vertex", base, s.number_of_vertices());
+  return internal::is_sphere(s) ? internal::cut_sphere(s, base)
+                                : internal::close_tree_to_cut(s, internal::seam_tree(s, base));
 }
 
 std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases,
@@ -84,8 +88,8 @@ std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bas
   const Index wanted = takes_all ? n : static_cast<Index>(bases);
   for (Index i = 0; i < wanted; ++i)
   {
-    const internal::Edge_tree tree = seam_tree(s, base);
-    std::vector<Index> cut = close_tree_to_cut(s, tree);
+    const internal::Edge_tree tree = internal::seam_tree(s, base);
+    std::vector<Index> cut = internal::close_tree_to_cut(s, tree);
     const double length = length_of_edges(s, cut);
     if (length < least || i == 0)
     {
@@ -115,7 +119,7 @@ std::vector<Index> straighten_edge_cut(const Triangle_surface& s, const std::vec
 
 std::vector<Index> cut_by_removing_faces(const Triangle_surface& s, Index seed_face, Path_ends ends, int rounds)
 {
-  if (seed_face != -1) { check_index("cut_by_removing_faces", "face", seed_face, s.number_of_faces()); }
+  if (seed_face != -1) { internal::check_index("cut_by_removing_faces", "face", seed_face, s.number_of_faces()); }
   if (internal::is_sphere(s)) { return internal::cut_sphere(s, -1); }
   if (seed_face < 0)
   {

@@ -10,10 +10,9 @@
 #include <limits>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace meridian {
-
-using namespace internal;
 
 namespace internal {
 
@@ -67,8 +66,6 @@ Seam_trace trace_seam(const Triangle_surface& root, const Refined_surface& cut)
   return trace;
 }
 
-} // namespace internal
-
 namespace {
 
 // A tree of edges near the seam of a closed sphere, that joins the seam's ends.
@@ -91,10 +88,12 @@ std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Seam_trac
 
 } // namespace
 
+} // namespace internal
+
 std::vector<Index> cut_of_edges_near(const Triangle_surface& root, const Refined_surface& cut, int rounds)
 {
   const internal::Seam_trace trace = internal::trace_seam(root, cut);
-  if (internal::is_sphere(root)) { return cut_sphere_near(root, trace); }
+  if (internal::is_sphere(root)) { return internal::cut_sphere_near(root, trace); }
   std::vector<std::pair<double, Index>> starts;
   for (Index v = 0; v < root.number_of_vertices(); ++v)
     if (trace.beside[v] < std::numeric_limits<double>::infinity()) { starts.emplace_back(trace.beside[v], v); }

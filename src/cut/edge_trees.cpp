@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/cut/internal/edge_trees.h>
 
+#include <meridian/base/Union_find.h>
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
-#include <numeric>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -53,17 +58,13 @@ std::vector<Index> cut_sphere(const Triangle_surface& s, Index from)
 
 std::vector<char> edges_beside_face_tree(const Triangle_surface& s, const std::vector<Index>& order)
 {
-  std::vector<Index> parent(s.number_of_faces()), rank(s.number_of_faces(), 0);
-  std::iota(parent.begin(), parent.end(), Index(0));
-  boost::disjoint_sets<Index*, Index*> faces(rank.data(), parent.data());
+  Union_find faces(s.number_of_faces());
   std::vector<char> is_left(s.number_of_halfedges(), 0);
   for (Index h = 0; h < s.number_of_halfedges(); ++h) { is_left[h] = s.opposite[h] >= 0; }
   for (Index h : order)
   {
-    const Index o = s.opposite[h], f = faces.find_set(s.face(h)), g = faces.find_set(s.face(o));
-    if (f == g) { continue; }
-    faces.link(f, g);
-    is_left[h] = is_left[o] = 0;
+    const Index o = s.opposite[h];
+    if (faces.unite(s.face(h), s.face(o))) { is_left[h] = is_left[o] = 0; }
   }
   return is_left;
 }

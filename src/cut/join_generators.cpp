@@ -10,11 +10,16 @@
 #include <boost/graph/kruskal_min_spanning_tree.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace meridian {
+
+namespace internal {
 
 namespace {
 
@@ -44,33 +49,38 @@ Complex_graph graph_of(const Morse_complex& complex)
   return graph;
 }
 
-} // namespace
-
-namespace internal {
-
-std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse_complex& complex,
-                                    const std::vector<std::pair<Index, Index>>& saddles,
-                                    const std::vector<Index>& shared, Generator_join join)
+// A way through the complex from a pair of generators to another.
+struct Way
 {
-  const Complex_graph graph = graph_of(complex);
-  std::map<Index, std::size_t> place;
-  for (std::size_t v = 0; v < complex.critical.size(); ++v) { place[m.graph.node[complex.critical[v].vertex]] = v; }
-  std::vector<std::vector<std::size_t>> points; // of each pair
-  for (const auto& [near, far] : saddles)
+  double length = std::numeric_limits<double>::infinity();
+  std::vector<Index> lines;
+};
+using Ways = std::map<std::pair<std::size_t, std::size_t>, Way>;
+
+// The lines of a shortest way to a point of the complex; of several between two points the shortest.
+std::vector<Index> lines_to(const Complex_graph& graph, const std::vector<std::size_t>& before, std::size_t to)
+{
+  std::vector<Index> lines;
+  for (std::size_t v = to; v != before[v]; v = before[v])
   {
-    points.push_back({place.at(m.graph.node[near])});
-    if (join == Generator_join::COMPLEX && far >= 0) { points.back().push_back(place.at(m.graph.node[far])); }
+    Index best = -1;
+    double least = 0;
+    for (auto [e, last] = boost::out_edges(v, graph); e != last; ++e)
+      if (boost::target(*e, graph) == before[v] && (best < 0 || graph[*e].length < least))
+      {
+        best = graph[*e].line;
+        least = graph[*e].length;
+      }
+    lines.push_back(best);
   }
-  struct Way
-  {
-    double length = std::numeric_limits<double>::infinity();
-    std::vector<Index> lines;
-  };
-  using Pairs = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
-                                      boost::property<boost::edge_weight_t, double>>;
-  Pairs pairs(saddles.size());
-  std::map<std::pair<std::size_t, std::size_t>, Way> ways;
-  for (std::size_t i = 0; i < saddles.size(); ++i)
+  return lines;
+}
+
+// The shortest way between any two pairs, which have points of the complex.
+Ways find_ways(const Complex_graph& graph, const std::vector<std::vector<std::size_t>>& points)
+{
+  Ways ways;
+  for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t from : points[i])
     {
       std::vector<double> distance(boost::num_vertices(graph));
@@ -79,37 +89,52 @@ std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse_comple
                                      boost::weight_map(boost::get(&Complex_edge::length, graph))
                                        .distance_map(distance.data())
                                        .predecessor_map(before.data()));
-      for (std::size_t j = i + 1; j < saddles.size(); ++j)
+      for (std::size_t j = i + 1; j < points.size(); ++j)
         for (std::size_t to : points[j])
         {
           Way& way = ways[{i, j}];
-          if (!(distance[to] < way.length)) { continue; }
-          way = {distance[to], {}};
-          for (std::size_t v = to; v != before[v]; v = before[v])
-          {
-            Index best = -1;
-            double least = 0;
-            for (auto [e, last] = boost::out_edges(v, graph); e != last; ++e)
-              if (boost::target(*e, graph) == before[v] && (best < 0 || graph[*e].length < least))
-              {
-                best = graph[*e].line;
-                least = graph[*e].length;
-              }
-            way.lines.push_back(best);
-          }
+          if (distance[to] < way.length) { way = {distance[to], lines_to(graph, before, to)}; }
         }
     }
+  return ways;
+}
+
+// The pairs that a minimum spanning tree joins.
+std::vector<std::pair<std::size_t, std::size_t>> choose_ways(const Ways& ways, std::size_t pairs)
+{
+  using Pairs = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS, boost::no_property,
+                                      boost::property<boost::edge_weight_t, double>>;
+  Pairs graph(pairs);
   for (const auto& [ends, way] : ways)
     if (way.length < std::numeric_limits<double>::infinity() && !way.lines.empty())
     {
-      boost::add_edge(ends.first, ends.second, way.length, pairs);
+      boost::add_edge(ends.first, ends.second, way.length, graph);
     }
   std::vector<boost::graph_traits<Pairs>::edge_descriptor> tree;
-  boost::kruskal_minimum_spanning_tree(pairs, std::back_inserter(tree));
-  std::vector<Link_guide> guides;
-  for (const auto& e : tree)
+  boost::kruskal_minimum_spanning_tree(graph, std::back_inserter(tree));
+  std::vector<std::pair<std::size_t, std::size_t>> chosen;
+  for (const auto& e : tree) { chosen.push_back(std::minmax({boost::source(e, graph), boost::target(e, graph)})); }
+  return chosen;
+}
+
+} // namespace
+
+std::vector<Link_guide> guide_joins(const Ordered_surface& m, const Morse_complex& complex,
+                                    const std::vector<std::pair<Index, Index>>& saddles,
+                                    const std::vector<Index>& shared, Generator_join join)
+{
+  std::map<Index, std::size_t> place;
+  for (std::size_t v = 0; v < complex.critical.size(); ++v) { place[m.graph.node[complex.critical[v].vertex]] = v; }
+  std::vector<std::vector<std::size_t>> points; // of each pair
+  for (const auto& [near, far] : saddles)
   {
-    const std::pair<std::size_t, std::size_t> ends = std::minmax({boost::source(e, pairs), boost::target(e, pairs)});
+    points.push_back({place.at(m.graph.node[near])});
+    if (join == Generator_join::COMPLEX && far >= 0) { points.back().push_back(place.at(m.graph.node[far])); }
+  }
+  const Ways ways = find_ways(graph_of(complex), points);
+  std::vector<Link_guide> guides;
+  for (const auto& ends : choose_ways(ways, saddles.size()))
+  {
     Link_guide guide{shared[ends.first], shared[ends.second], {}};
     for (Index line : ways.at(ends).lines) { add_faces_near(m, whole_line(complex.lines, line), guide.faces); }
     std::sort(guide.faces.begin(), guide.faces.end());

@@ -2,11 +2,16 @@
 #include <meridian/cut/link_boundaries.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
 #include <meridian/curves/sleeve.h>
 #include <meridian/cut/internal/sleeve_search.h>
 #include <meridian/cut/internal/slit_surface.h>
 #include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
+
+#include <vector>
 
 namespace meridian {
 

@@ -12,10 +12,11 @@
 #include <limits>
 #include <queue>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
-using namespace internal;
+namespace internal {
 
 namespace {
 
@@ -116,9 +117,11 @@ private:
 
 } // namespace
 
+} // namespace internal
+
 std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, Index source)
 {
-  Edge_linker linker(s, source);
+  internal::Edge_linker linker(s, source);
   std::vector<std::vector<Index>> links;
   if (linker.number_of_loops() < 2) { return links; } // a disc already
   linker.join(0);

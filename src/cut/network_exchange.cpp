@@ -6,9 +6,17 @@
 #include <meridian/cut/internal/network_moves.h>
 
 #include <algorithm>
-#include <queue>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <tuple>
+#include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -113,95 +121,107 @@ void Network_exchange::grow()
   m_crowded.clear();
   m_roots.clear();
   m_candidates.clear();
-  using Entry = std::tuple<double, Index, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  const auto start = [&](const Gap& g, double d, const Root& root) {
-    if (m_surface.opposite[g.edge] < 0 || m_curves.along(g.edge) >= 0) { return; }
-    Reached& r = reached(g);
-    if (!(d < r.distance)) { return; }
-    r.distance = d;
-    r.root = static_cast<Index>(m_roots.size());
-    m_roots.push_back(root);
-    queue.emplace(d, g.edge, g.place);
-  };
-  const auto start_at_vertex = [&](Index v, const std::vector<Index>& spokes, std::size_t side) {
-    for (Index h : spokes)
-    {
-      const Index e = m_surface.edge(h);
-      const Gap g{e, e == h ? 0 : static_cast<Index>(m_curves.on(e).size())};
-      start(g, distance(m_surface.points[v], point(g)), {v, -1, side});
-    }
-  };
   std::unordered_map<Index, Network_star> stars;
   for (std::size_t i = 0; i < m_sides.size(); ++i)
   {
-    const Disc_side& side = m_sides[i];
-    if (side.curve >= 0)
-      for (Index x : m_curves.crossings(side.curve))
-      {
-        if (free_vertex_beside(x) >= 0) { start(m_curves.beside(x, side.is_forward), 0, {-1, x, i}); }
-      }
-    else
-    {
-      const Disc_side& before = m_sides[(i + m_sides.size() - 1) % m_sides.size()];
-      for (Index v = m_surface.target(m_surface.outgoing[before.corner]); v != side.corner;
-           v = m_surface.target(m_surface.outgoing[v]))
-      {
-        std::vector<Index> spokes;
-        m_surface.for_each_outgoing(v, [&](Index h) { spokes.push_back(h); });
-        start_at_vertex(v, spokes, i);
-      }
-    }
-    const Disc_side& next = m_sides[(i + 1) % m_sides.size()]; // the corner between this side and the next
-    const auto [known, is_new] = stars.try_emplace(side.corner);
-    if (is_new) { known->second = make_star(m_curves, side.corner); }
-    const Network_star& star = known->second;
-    const auto arm_of = [&](const Disc_side& of, bool is_last) {
-      return std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& arm) {
-        return arm.end == Network_end{of.curve, is_last};
-      });
-    };
-    const auto here = side.curve >= 0 ? arm_of(side, side.is_forward) : star.arms.end();
-    const auto there = next.curve >= 0 ? arm_of(next, !next.is_forward) : star.arms.end();
-    const Index to = here != star.arms.end() ? here->at : static_cast<Index>(2 * star.spokes.size());
-    const Index from = there != star.arms.end() ? there->at : 0;
-    if (from == to && there < here) { continue; } // both leave through one corner
-    start_at_vertex(side.corner, spokes_between(star, from, to), i);
+    if (m_sides[i].curve >= 0) { start_on_curve(i); }
+    else { start_on_boundary(i); }
+    const auto [known, is_new] = stars.try_emplace(m_sides[i].corner);
+    if (is_new) { known->second = make_star(m_curves, m_sides[i].corner); }
+    start_at_corner(i, known->second);
   }
   // no way longer than this is of use
   const double farthest = m_length.empty() ? 0 : *std::max_element(m_length.begin(), m_length.end());
-  while (!queue.empty())
+  while (!m_queue.empty())
   {
-    const Gap gap{std::get<1>(queue.top()), std::get<2>(queue.top())};
-    queue.pop();
+    const Gap gap{std::get<1>(m_queue.top()), std::get<2>(m_queue.top())};
+    m_queue.pop();
     if (reached(gap).is_done) { continue; }
     reached(gap).is_done = true;
-    const Reached here = reached(gap);
-    const Point from = point(gap);
-    for (Index h : {gap.edge, m_surface.opposite[gap.edge]})
-    {
-      const Index face = m_surface.face(h);
-      m_curves.for_each_gap_around(gap, face, [&](const Gap& to, Index) {
-        if (m_surface.opposite[to.edge] < 0 || m_curves.along(to.edge) >= 0 || to == gap) { return; }
-        Reached& there = reached(to);
-        const double d = here.distance + distance(from, point(to));
-        if (there.is_done)
-        {
-          const std::size_t a = m_roots[here.root].side, b = m_roots[there.root].side;
-          if (a == b || here.face == face || there.face == face) { return; } // the way would turn back
-          Candidate& c = m_candidates[{std::min(a, b), std::max(a, b)}];
-          if (d + there.distance < c.length)
-          {
-            c = {d + there.distance, gap, to, face, {known_as(here.root), known_as(there.root)}};
-          }
-          return;
-        }
-        if (here.face == face || !(d < there.distance) || d > farthest) { return; }
-        there = {d, gap, face, here.root, m_run, false};
-        queue.emplace(d, to.edge, to.place);
-      });
-    }
+    for (Index h : {gap.edge, m_surface.opposite[gap.edge]}) { spread(gap, m_surface.face(h), farthest); }
   }
+}
+
+void Network_exchange::start(const Gap& g, double d, const Root& root)
+{
+  if (m_surface.opposite[g.edge] < 0 || m_curves.along(g.edge) >= 0) { return; }
+  Reached& r = reached(g);
+  if (!(d < r.distance)) { return; }
+  r.distance = d;
+  r.root = static_cast<Index>(m_roots.size());
+  m_roots.push_back(root);
+  m_queue.emplace(d, g.edge, g.place);
+}
+
+void Network_exchange::start_at_vertex(Index v, const std::vector<Index>& spokes, std::size_t side)
+{
+  for (Index h : spokes)
+  {
+    const Index e = m_surface.edge(h);
+    const Gap g{e, e == h ? 0 : static_cast<Index>(m_curves.on(e).size())};
+    start(g, distance(m_surface.points[v], point(g)), {v, -1, side});
+  }
+}
+
+void Network_exchange::start_on_curve(std::size_t side)
+{
+  for (Index x : m_curves.crossings(m_sides[side].curve))
+  {
+    if (free_vertex_beside(x) >= 0) { start(m_curves.beside(x, m_sides[side].is_forward), 0, {-1, x, side}); }
+  }
+}
+
+void Network_exchange::start_on_boundary(std::size_t side)
+{
+  const Disc_side& before = m_sides[(side + m_sides.size() - 1) % m_sides.size()];
+  for (Index v = m_surface.target(m_surface.outgoing[before.corner]); v != m_sides[side].corner;
+       v = m_surface.target(m_surface.outgoing[v]))
+  {
+    std::vector<Index> spokes;
+    m_surface.for_each_outgoing(v, [&](Index h) { spokes.push_back(h); });
+    start_at_vertex(v, spokes, side);
+  }
+}
+
+void Network_exchange::start_at_corner(std::size_t i, const Network_star& star)
+{
+  const Disc_side &side = m_sides[i], &next = m_sides[(i + 1) % m_sides.size()];
+  const auto arm_of = [&](const Disc_side& of, bool is_last) {
+    return std::find_if(star.arms.begin(), star.arms.end(), [&](const auto& arm) {
+      return arm.end == Network_end{of.curve, is_last};
+    });
+  };
+  const auto here = side.curve >= 0 ? arm_of(side, side.is_forward) : star.arms.end();
+  const auto there = next.curve >= 0 ? arm_of(next, !next.is_forward) : star.arms.end();
+  const Index to = here != star.arms.end() ? here->at : static_cast<Index>(2 * star.spokes.size());
+  const Index from = there != star.arms.end() ? there->at : 0;
+  if (from == to && there < here) { return; } // both leave through one corner
+  start_at_vertex(side.corner, spokes_between(star, from, to), i);
+}
+
+void Network_exchange::spread(const Gap& gap, Index face, double farthest)
+{
+  const Reached here = reached(gap);
+  const Point from = point(gap);
+  m_curves.for_each_gap_around(gap, face, [&](const Gap& to, Index) {
+    if (m_surface.opposite[to.edge] < 0 || m_curves.along(to.edge) >= 0 || to == gap) { return; }
+    Reached& there = reached(to);
+    const double d = here.distance + distance(from, point(to));
+    if (there.is_done)
+    {
+      const std::size_t a = m_roots[here.root].side, b = m_roots[there.root].side;
+      if (a == b || here.face == face || there.face == face) { return; } // the way would turn back
+      Candidate& c = m_candidates[{std::min(a, b), std::max(a, b)}];
+      if (d + there.distance < c.length)
+      {
+        c = {d + there.distance, gap, to, face, {known_as(here.root), known_as(there.root)}};
+      }
+      return;
+    }
+    if (here.face == face || !(d < there.distance) || d > farthest) { return; }
+    there = {d, gap, face, here.root, m_run, false};
+    m_queue.emplace(d, to.edge, to.place);
+  });
 }
 
 Disc_side Network_exchange::known_as(Index root) const
@@ -257,34 +277,15 @@ std::vector<Network_exchange::Gap> Network_exchange::back_from(Gap g)
   return way;
 }
 
-bool Network_exchange::try_exchange(const Candidate& c, const Tighten_options& options)
+std::vector<Normal_curves::Step> Network_exchange::steps_along(const std::vector<Gap>& way, std::size_t before,
+                                                               Index between)
 {
-  const auto [old, old_length] = longest_between(c);
-  if (old < 0 || !(c.length < old_length)) { return false; }
-  std::vector<Gap> way = back_from(c.gap);
-  const std::vector<Gap> rest = back_from(c.to);
-  if (way.empty() || rest.empty()) { return false; }
-  std::reverse(way.begin(), way.end());
-  way.insert(way.end(), rest.begin(), rest.end());
-  const Root root_1 = m_roots[reached(way.front()).root], root_2 = m_roots[reached(way.back()).root];
-  const Index v = root_1.crossing >= 0 ? free_vertex_beside(root_1.crossing) : root_1.vertex;
-  const Index w = root_2.crossing >= 0 ? free_vertex_beside(root_2.crossing) : root_2.vertex;
-  for (Index u : {v, w})
-  {
-    if (u < 0 || m_changed_vertices.count(u) > 0) { return false; }
-  }
-  if (v == w || (root_1.crossing >= 0 && root_1.crossing == root_2.crossing)) { return false; }
-
-  // The faces between gaps tell the halfedges. What only leads round an end is left out.
-  std::vector<Normal_curves::Step> steps;
   std::vector<Index> faces; // after each gap
   for (std::size_t i = 0; i + 1 < way.size(); ++i)
   {
-    const bool in_first = i + 1 < way.size() - rest.size();
-    faces.push_back(in_first                            ? reached(way[i + 1]).face
-                    : i + 1 == way.size() - rest.size() ? c.face
-                                                        : reached(way[i]).face);
+    faces.push_back(i + 1 < before ? reached(way[i + 1]).face : i + 1 == before ? between : reached(way[i]).face);
   }
+  std::vector<Normal_curves::Step> steps;
   for (std::size_t i = 0; i < way.size(); ++i)
   {
     const Index e = way[i].edge, o = m_surface.opposite[e];
@@ -292,60 +293,114 @@ bool Network_exchange::try_exchange(const Candidate& c, const Tighten_options& o
       i < faces.size() ? (m_surface.face(e) == faces[i] ? o : e) : (m_surface.face(e) == faces[i - 1] ? e : o);
     steps.push_back({h, way[i].place, m_curves.middle(way[i])});
   }
-  std::size_t first = 0, last = steps.size();
+  return steps;
+}
+
+std::optional<Network_exchange::New_curve> Network_exchange::find_new_curve(const Candidate& c)
+{
+  std::vector<Gap> way = back_from(c.gap);
+  const std::vector<Gap> rest = back_from(c.to);
+  if (way.empty() || rest.empty()) { return std::nullopt; }
+  const std::size_t before = way.size();
+  std::reverse(way.begin(), way.end());
+  way.insert(way.end(), rest.begin(), rest.end());
+  New_curve curve;
+  curve.roots = {m_roots[reached(way.front()).root], m_roots[reached(way.back()).root]};
+  for (int k = 0; k < 2; ++k)
+  {
+    const Root& root = curve.roots[k];
+    const Index u = root.crossing >= 0 ? free_vertex_beside(root.crossing) : root.vertex;
+    if (u < 0 || m_changed_vertices.count(u) > 0) { return std::nullopt; }
+    curve.ends[k] = u;
+  }
+  const auto [v, w] = curve.ends;
+  if (v == w || (curve.roots[0].crossing >= 0 && curve.roots[0].crossing == curve.roots[1].crossing))
+  {
+    return std::nullopt;
+  }
+  const std::vector<Normal_curves::Step> steps = steps_along(way, before, c.face);
+  std::size_t first = 0, last = steps.size(); // what only leads round an end is left out
   while (first < last && touches(m_surface, steps[first].halfedge, v)) { ++first; }
   while (first < last && touches(m_surface, steps[last - 1].halfedge, w)) { --last; }
-  steps = {steps.begin() + first, steps.begin() + last};
-  for (const Gap& g : way) // an exchange before this one may have put a curve's end in the way
+  curve.steps.assign(steps.begin() + first, steps.begin() + last);
+  if (!is_clear(way) || !is_proper(curve)) { return std::nullopt; }
+  return curve;
+}
+
+bool Network_exchange::is_clear(const std::vector<Gap>& way) const
+{
+  for (const Gap& g : way)
     for (Index u : {m_surface.source(g.edge), m_surface.target(g.edge)})
     {
       if (m_changed_vertices.count(u) > 0) { return false; }
     }
+  return true;
+}
+
+bool Network_exchange::is_proper(const New_curve& curve) const
+{
+  const auto& steps = curve.steps;
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
-    for (Index u : {v, w})
+    for (Index u : curve.ends)
     {
       if (touches(m_surface, steps[i].halfedge, u)) { return false; }
     }
     if (i > 0 && m_surface.edge(steps[i].halfedge) == m_surface.edge(steps[i - 1].halfedge)) { return false; }
   }
-  if (steps.empty())
-  {
-    const Index h = m_surface.find_halfedge(v, w), g = h >= 0 ? h : m_surface.find_halfedge(w, v);
-    if (g < 0 || m_surface.opposite[g] < 0) { return false; }
-  }
+  if (!steps.empty()) { return true; }
+  const Index h = m_surface.find_halfedge(curve.ends[0], curve.ends[1]),
+              g = h >= 0 ? h : m_surface.find_halfedge(curve.ends[1], curve.ends[0]);
+  return g >= 0 && m_surface.opposite[g] >= 0;
+}
 
-  const Index known = m_curves.number_of_curves();
-  std::set<Index> removed{old}, edges, vertices;
-  const auto note = [&](Index curve) {
-    for (Index x : m_curves.crossings(curve)) { edges.insert(m_curves.edge(x)); }
-    if (m_curves.nearest({curve, false}) < 0) { edges.insert(m_curves.edge_along(curve)); }
-    for (bool is_last : {false, true}) { vertices.insert(m_curves.vertex({curve, is_last})); }
-  };
-  for (const Root& root : {root_1, root_2})
+void Network_exchange::note_change(Index curve, Changes& changes) const
+{
+  for (Index x : m_curves.crossings(curve)) { changes.edges.insert(m_curves.edge(x)); }
+  if (m_curves.nearest({curve, false}) < 0) { changes.edges.insert(m_curves.edge_along(curve)); }
+  for (bool is_last : {false, true}) { changes.vertices.insert(m_curves.vertex({curve, is_last})); }
+}
+
+void Network_exchange::note_removed(const New_curve& curve, Index old, Changes& changes) const
+{
+  std::set<Index> removed{old};
+  for (const Root& root : curve.roots)
   {
     if (root.crossing >= 0) { removed.insert(m_curves[root.crossing].curve); }
   }
   for (bool is_last : {false, true})
     // or perhaps not
     for (const Network_end& e : m_curves.ends_at(m_curves.vertex({old, is_last}))) { removed.insert(e.curve); }
-  for (Index curve : removed) { note(curve); }
-  Normal_curves::Trial trial(m_curves);
-  if (root_1.crossing >= 0) { m_curves.split(root_1.crossing, v); }
-  if (root_2.crossing >= 0)
+  for (Index c : removed) { note_change(c, changes); }
+}
+
+bool Network_exchange::put_in(const New_curve& curve)
+{
+  const auto [v, w] = curve.ends;
+  if (curve.roots[0].crossing >= 0) { m_curves.split(curve.roots[0].crossing, v); }
+  if (curve.roots[1].crossing >= 0)
   {
-    if (free_vertex_beside(root_2.crossing) != w) { return false; }
-    m_curves.split(root_2.crossing, w);
+    if (free_vertex_beside(curve.roots[1].crossing) != w) { return false; }
+    m_curves.split(curve.roots[1].crossing, w);
   }
-  if (steps.empty()
+  if (curve.steps.empty()
       && !m_curves.is_free(m_surface.edge(std::max(m_surface.find_halfedge(v, w), m_surface.find_halfedge(w, v)))))
   {
     return false;
   }
-  m_curves.add(v, w, steps);
-  const std::array<Index, 2> ends{m_curves.vertex({old, false}), m_curves.vertex({old, true})};
-  m_curves.remove(old);
+  m_curves.add(v, w, curve.steps);
+  return true;
+}
+
+void Network_exchange::take_out(Index curve)
+{
+  const std::array<Index, 2> ends{m_curves.vertex({curve, false}), m_curves.vertex({curve, true})};
+  m_curves.remove(curve);
   for (Index u : ends) { tidy_vertex(m_curves, u); }
+}
+
+double Network_exchange::tighten_from(Index known, const Tighten_options& options)
+{
   double gain = 0;
   for (Index curve = 0; curve < known; ++curve)
   {
@@ -354,11 +409,26 @@ bool Network_exchange::try_exchange(const Candidate& c, const Tighten_options& o
   for (Index curve = known; curve < m_curves.number_of_curves(); ++curve)
     if (m_curves.is_open(curve))
     {
-      if (!m_curves.is_disjoint(curve)) { return false; }
+      if (!m_curves.is_disjoint(curve)) { return 0; }
       tighten_curve(m_curves, curve, options);
       gain -= curve_length(m_curves, curve);
     }
-  if (!(gain > 1e-9 * old_length)) { return false; }
+  return gain;
+}
+
+bool Network_exchange::try_exchange(const Candidate& c, const Tighten_options& options)
+{
+  const auto [old, old_length] = longest_between(c);
+  if (old < 0 || !(c.length < old_length)) { return false; }
+  const std::optional<New_curve> replacement = find_new_curve(c);
+  if (!replacement) { return false; }
+  const Index known = m_curves.number_of_curves();
+  Changes changes;
+  note_removed(*replacement, old, changes);
+  Normal_curves::Trial trial(m_curves);
+  if (!put_in(*replacement)) { return false; }
+  take_out(old);
+  if (!(tighten_from(known, options) > 1e-9 * old_length)) { return false; }
   trial.keep();
   for (Index curve = 0; curve < known; ++curve)
   {
@@ -366,10 +436,10 @@ bool Network_exchange::try_exchange(const Candidate& c, const Tighten_options& o
   }
   for (Index curve = known; curve < m_curves.number_of_curves(); ++curve)
   {
-    if (m_curves.is_open(curve)) { note(curve); }
+    if (m_curves.is_open(curve)) { note_change(curve, changes); }
   }
-  m_changed_edges.insert(edges.begin(), edges.end());
-  m_changed_vertices.insert(vertices.begin(), vertices.end());
+  m_changed_edges.insert(changes.edges.begin(), changes.edges.end());
+  m_changed_vertices.insert(changes.vertices.begin(), changes.vertices.end());
   walk();
   return true;
 }

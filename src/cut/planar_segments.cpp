@@ -9,11 +9,15 @@
 #include <CGAL/Exact_rational.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace meridian {
+
+namespace internal {
 
 namespace {
 
@@ -30,12 +34,15 @@ bool lies_between(const Plane_point& p, const Plane_point& q, const Plane_point&
 
 } // namespace
 
-namespace internal {
-
 std::vector<Planar_segment> spanning_segments(const Triangle_surface& o, const Planar_embedding& plane,
                                               const std::vector<std::vector<Index>>& loops,
                                               const std::vector<Index>& loop_of, Index number_of_loops)
 {
+  std::vector<Index> vertices; // of the loops, and the source
+  for (Index v = 0; v < o.number_of_vertices(); ++v)
+  {
+    if (loop_of[v] >= 0) { vertices.push_back(v); }
+  }
   std::vector<std::vector<Index>> polygons;
   for (const auto& loop : loops)
   {
@@ -48,7 +55,7 @@ std::vector<Planar_segment> spanning_segments(const Triangle_surface& o, const P
     Index from, to;
   };
   std::vector<Candidate> candidates;
-  for (const auto& [a, b] : constrained_delaunay_edges(polygons, plane.points))
+  for (const auto& [a, b] : constrained_delaunay_edges(vertices, polygons, plane.points))
   {
     if (loop_of[a] == loop_of[b]) { continue; }
     const Plane_point d = plane.points[b] - plane.points[a];
@@ -106,91 +113,152 @@ Planar_walk walk(const Triangle_surface& o, const Planar_embedding& plane, const
   return w;
 }
 
+namespace {
+
+// Puts walks over an opened surface back on the surface itself.
+class Walk_placer
+{
+public:
+  Walk_placer(const Triangle_surface& s, const Triangle_surface& o, const Planar_embedding& plane,
+              const std::vector<Planar_segment>& segments, const std::vector<Planar_walk>& walks,
+              const std::vector<Index>& copy_of)
+    : m_surface(s), m_opened(o), m_plane(plane), m_segments(segments), m_walks(walks), m_copy_of(copy_of),
+      m_is_used(s.number_of_vertices(), 0)
+  {}
+
+  std::vector<Surface_curve> place(const std::vector<Index>& loop_of)
+  {
+    for (Index v = 0; v < m_opened.number_of_vertices(); ++v)
+    {
+      if (loop_of[v] >= 0) { m_is_used[original(v)] = 1; }
+    }
+    collect_crossings();
+    order_crossings();
+    return join_stretches(place_crossings(m_surface, m_crossings, false, [&](Index v) { return !m_is_used[v]; }));
+  }
+
+private:
+  // Crossings between vertices; one walk may have several stretches.
+  struct Stretch
+  {
+    std::size_t walk, first;
+  };
+
+  Index original(Index v) const
+  {
+    return v < m_surface.number_of_vertices() ? v : m_copy_of[v - m_surface.number_of_vertices()];
+  }
+
+  // Takes all walks apart into vertices, which become used, and stretches.
+  void collect_crossings()
+  {
+    for (std::size_t i = 0; i < m_walks.size(); ++i)
+      for (std::size_t j = 0; j < m_walks[i].points.size(); ++j)
+      {
+        const Curve_point& p = m_walks[i].points[j];
+        if (p.is_vertex())
+        {
+          m_is_used[original(p.vertex)] = 1;
+          continue;
+        }
+        if (m_walks[i].points[j - 1].is_vertex())
+        {
+          m_stretches.push_back({i, j});
+          m_crossings.emplace_back();
+        }
+        const Index e = m_surface.edge(p.halfedge);
+        const double t = fraction(m_segments[i], e);
+        m_crossings.back().push_back({p.halfedge, e, 0, 0, t > 0 && t < 1 ? t : 0.5, true});
+      }
+  }
+
+  // Where a segment crosses an edge, rounded.
+  double fraction(const Planar_segment& segment, Index e) const
+  {
+    const auto &a = m_plane.points[segment.from], &b = m_plane.points[segment.to];
+    const auto &x = m_plane.points[m_opened.source(e)], &y = m_plane.points[m_opened.target(e)];
+    const double p_side = (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0]);
+    const double q_side = (b[0] - a[0]) * (y[1] - a[1]) - (b[1] - a[1]) * (y[0] - a[0]);
+    return p_side / (p_side - q_side);
+  }
+
+  // The same exactly.
+  CGAL::Exact_rational exact_fraction(const Planar_segment& segment, Index e) const
+  {
+    using Rational = CGAL::Exact_rational;
+    const auto exact = [&](Index v) {
+      return std::pair(Rational(m_plane.points[v][0]), Rational(m_plane.points[v][1]));
+    };
+    const auto a = exact(segment.from), b = exact(segment.to), x = exact(m_opened.source(e)),
+               y = exact(m_opened.target(e));
+    const Rational p = (b.first - a.first) * (x.second - a.second) - (b.second - a.second) * (x.first - a.first);
+    const Rational q = (b.first - a.first) * (y.second - a.second) - (b.second - a.second) * (y.first - a.first);
+    return Rational(p / (p - q));
+  }
+
+  // Where several walks cross an edge, finds their order on it.
+  void order_crossings()
+  {
+    std::map<Index, std::vector<std::pair<std::size_t, std::size_t>>> on_edge;
+    for (std::size_t i = 0; i < m_crossings.size(); ++i)
+      for (std::size_t j = 0; j < m_crossings[i].size(); ++j) { on_edge[m_crossings[i][j].edge].emplace_back(i, j); }
+    for (auto& [e, places] : on_edge)
+    {
+      if (places.size() < 2) { continue; }
+      std::vector<std::pair<CGAL::Exact_rational, std::size_t>> order;
+      for (std::size_t k = 0; k < places.size(); ++k)
+      {
+        order.emplace_back(exact_fraction(m_segments[m_stretches[places[k].first].walk], e), k);
+      }
+      std::sort(order.begin(), order.end());
+      for (std::size_t k = 0; k < order.size(); ++k)
+      {
+        const auto& [i, j] = places[order[k].second];
+        m_crossings[i][j].place = static_cast<Index>(k);
+      }
+    }
+  }
+
+  // Puts each walk together again from its vertices and its stretches.
+  std::vector<Surface_curve> join_stretches(const std::vector<Surface_curve>& placed) const
+  {
+    std::vector<Surface_curve> curves;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < m_walks.size(); ++i)
+    {
+      curves.emplace_back();
+      for (std::size_t j = 0; j < m_walks[i].points.size(); ++j)
+      {
+        const Curve_point& p = m_walks[i].points[j];
+        if (p.is_vertex()) { curves.back().points.push_back(Curve_point::on_vertex(original(p.vertex))); }
+        else if (next < m_stretches.size() && m_stretches[next].walk == i && m_stretches[next].first == j)
+        {
+          const auto& points = placed[next++].points;
+          curves.back().points.insert(curves.back().points.end(), points.begin(), points.end());
+        }
+      }
+    }
+    return curves;
+  }
+
+  const Triangle_surface &m_surface, &m_opened;
+  const Planar_embedding& m_plane;
+  const std::vector<Planar_segment>& m_segments;
+  const std::vector<Planar_walk>& m_walks;
+  const std::vector<Index>& m_copy_of;
+  std::vector<char> m_is_used; // of each vertex: no walk may be moved to it
+  std::vector<Stretch> m_stretches;
+  std::vector<std::vector<Crossing>> m_crossings; // of each stretch
+};
+
+} // namespace
+
 std::vector<Surface_curve> place_walks(const Triangle_surface& s, const Triangle_surface& o,
                                        const Planar_embedding& plane, const std::vector<Planar_segment>& segments,
                                        const std::vector<Planar_walk>& walks, const std::vector<Index>& copy_of,
                                        const std::vector<Index>& loop_of)
 {
-  using Rational = CGAL::Exact_rational;
-  const auto original = [&](Index v) { return v < s.number_of_vertices() ? v : copy_of[v - s.number_of_vertices()]; };
-  std::vector<char> is_used(s.number_of_vertices(), 0);
-  for (Index v = 0; v < o.number_of_vertices(); ++v)
-  {
-    if (loop_of[v] >= 0) { is_used[original(v)] = 1; }
-  }
-
-  // Stretches of crossings between vertices; one walk may have several.
-  struct Stretch
-  {
-    std::size_t walk, first;
-  };
-  std::vector<std::vector<Crossing>> crossings;
-  std::vector<Stretch> stretches;
-  for (std::size_t i = 0; i < walks.size(); ++i)
-    for (std::size_t j = 0; j < walks[i].points.size(); ++j)
-    {
-      const Curve_point& p = walks[i].points[j];
-      if (p.is_vertex())
-      {
-        is_used[original(p.vertex)] = 1;
-        continue;
-      }
-      if (walks[i].points[j - 1].is_vertex())
-      {
-        stretches.push_back({i, j});
-        crossings.emplace_back();
-      }
-      const Index e = s.edge(p.halfedge);
-      const auto &a = plane.points[segments[i].from], &b = plane.points[segments[i].to];
-      const auto &x = plane.points[o.source(e)], &y = plane.points[o.target(e)];
-      const double p_side = (b[0] - a[0]) * (x[1] - a[1]) - (b[1] - a[1]) * (x[0] - a[0]);
-      const double q_side = (b[0] - a[0]) * (y[1] - a[1]) - (b[1] - a[1]) * (y[0] - a[0]);
-      const double t = p_side / (p_side - q_side);
-      crossings.back().push_back({p.halfedge, e, 0, 0, t > 0 && t < 1 ? t : 0.5, true});
-    }
-  // Where several walks cross an edge, their order on it in rational numbers.
-  std::map<Index, std::vector<std::pair<std::size_t, std::size_t>>> on_edge;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
-    for (std::size_t j = 0; j < crossings[i].size(); ++j) { on_edge[crossings[i][j].edge].emplace_back(i, j); }
-  for (auto& [e, places] : on_edge)
-  {
-    if (places.size() < 2) { continue; }
-    std::vector<std::pair<Rational, std::size_t>> order;
-    for (std::size_t k = 0; k < places.size(); ++k)
-    {
-      const Planar_segment& segment = segments[stretches[places[k].first].walk];
-      const auto exact = [&](Index v) { return std::pair(Rational(plane.points[v][0]), Rational(plane.points[v][1])); };
-      const auto a = exact(segment.from), b = exact(segment.to), x = exact(o.source(e)), y = exact(o.target(e));
-      const Rational p = (b.first - a.first) * (x.second - a.second) - (b.second - a.second) * (x.first - a.first);
-      const Rational q = (b.first - a.first) * (y.second - a.second) - (b.second - a.second) * (y.first - a.first);
-      order.emplace_back(Rational(p / (p - q)), k);
-    }
-    std::sort(order.begin(), order.end());
-    for (std::size_t k = 0; k < order.size(); ++k)
-    {
-      const auto& [i, j] = places[order[k].second];
-      crossings[i][j].place = static_cast<Index>(k);
-    }
-  }
-  const auto placed = place_crossings(s, crossings, false, [&](Index v) { return !is_used[v]; });
-
-  std::vector<Surface_curve> curves;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < walks.size(); ++i)
-  {
-    curves.emplace_back();
-    for (std::size_t j = 0; j < walks[i].points.size(); ++j)
-    {
-      const Curve_point& p = walks[i].points[j];
-      if (p.is_vertex()) { curves.back().points.push_back(Curve_point::on_vertex(original(p.vertex))); }
-      else if (next < stretches.size() && stretches[next].walk == i && stretches[next].first == j)
-      {
-        const auto& points = placed[next++].points;
-        curves.back().points.insert(curves.back().points.end(), points.begin(), points.end());
-      }
-    }
-  }
-  return curves;
+  return Walk_placer(s, o, plane, segments, walks, copy_of).place(loop_of);
 }
 
 } // namespace internal

@@ -8,12 +8,12 @@
 #include <meridian/cut/internal/network_moves.h>
 #include <meridian/surface/measures.h>
 
+#include <functional>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace meridian {
-
-using namespace internal;
 
 namespace internal {
 
@@ -80,8 +80,6 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
   }
 }
 
-} // namespace internal
-
 namespace {
 
 // The curves of a network, placed.
@@ -113,6 +111,8 @@ std::vector<Surface_curve> place_network(const Normal_curves& curves)
 
 } // namespace
 
+} // namespace internal
+
 std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
                                              const Tighten_options& options)
 {
@@ -143,7 +143,7 @@ std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const
     if (!(now < (1 - options.least_gain) * last)) { break; }
     last = now;
   }
-  std::vector<Surface_curve> placed = place_network(curves), as_given;
+  std::vector<Surface_curve> placed = internal::place_network(curves), as_given;
   double before = 0, after = 0;
   for (const auto& path : paths)
   {

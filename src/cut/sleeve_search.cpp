@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/cut/internal/sleeve_search.h>
 
-#include <numeric>
+#include <meridian/base/Union_find.h>
+#include <meridian/base/vectors.h>
+#include <meridian/cut/internal/minimum_spanning_tree.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace meridian {
 
@@ -9,89 +15,100 @@ namespace internal {
 
 std::vector<Contact> Sleeve_search::find_spanning_contacts()
 {
-  const Refined_surface& s = m_slit.surface();
-  const Index faces = s.number_of_faces();
+  const std::vector<Contact> contacts = collect_contacts();
+  // The weight of a contact is its place in the order in which cells meet, so that ties are broken as the search did.
+  std::vector<Spanning_edge> edges;
+  for (const Contact& c : contacts) { edges.push_back({c.from, c.to, static_cast<double>(edges.size())}); }
+  std::vector<Contact> tree;
+  for (std::size_t i : minimum_spanning_tree(m_slit.number_of_loops(), edges)) { tree.push_back(contacts[i]); }
+  return tree;
+}
+
+std::vector<Contact> Sleeve_search::collect_contacts()
+{
+  const Index faces = m_slit.surface().number_of_faces();
   m_reached.assign(faces, Reached{});
   m_cell.assign(faces, -1);
   m_known_parents = m_slit.parents.size();
-  std::vector<Index> joined(m_slit.number_of_loops());
-  std::iota(joined.begin(), joined.end(), Index(0));
-  const auto find = [&](Index a) {
-    while (joined[a] != a) { a = joined[a] = joined[joined[a]]; }
-    return a;
-  };
-
-  struct Event
+  Growth growth;
+  for (Index loop = 0; loop < m_slit.number_of_loops(); ++loop) { seed_cell(loop, growth); }
+  Union_find joined(m_slit.number_of_loops());
+  Index missing = m_slit.number_of_loops() - 1; // links, until all boundaries are joined
+  std::vector<Contact> contacts;
+  std::vector<char> is_done(faces, 0);
+  while (!growth.empty() && missing > 0)
   {
-    double key;
-    Index face, halfedge;
-    bool along;
-  };
-  const auto later = [](const Event& x, const Event& y) {
-    return std::tie(x.key, x.face, x.halfedge) > std::tie(y.key, y.face, y.halfedge);
-  };
-  std::priority_queue<Event, std::vector<Event>, decltype(later)> queue(later);
-  for (Index loop = 0; loop < m_slit.number_of_loops(); ++loop)
-    for_each_corner(loop, [&](Index h) {
-      const Index f = s.face(h), g = s.next(h);
-      if (m_reached[f].distance > 0)
-      {
-        m_reached[f] = {0, s.points[s.source(h)], h, true};
-        m_cell[f] = loop;
-        queue.push({0, f, -1, false});
-      }
-      for (const Index k : {h, s.prev(h)}) // an edge from this boundary to another
-      {
-        const Index end = k == h ? g : k;
-        if (m_slit.may_cross(k) && m_slit.loop(end) >= 0 && m_slit.loop(end) != loop)
-        {
-          queue.push({s.length(k) / 2, -1, k, true});
-        }
-      }
-    });
-  std::vector<Contact> tree;
-  std::vector<char> done(faces, 0);
-  while (!queue.empty() && static_cast<Index>(tree.size()) + 1 < m_slit.number_of_loops())
-  {
-    const Event e = queue.top();
-    queue.pop();
+    const Growth_event e = growth.top();
+    growth.pop();
     if (e.face < 0)
     {
-      const Index a = e.along ? m_slit.loop(e.halfedge) : m_cell[s.face(e.halfedge)];
-      const Index b = e.along ? m_slit.loop(s.next(e.halfedge)) : m_cell[s.face(s.opposite[e.halfedge])];
-      if (find(a) == find(b)) { continue; }
-      joined[find(a)] = find(b);
-      tree.push_back({a, b, e.halfedge, e.along});
+      contacts.push_back(contact_of(e));
+      missing -= joined.unite(contacts.back().from, contacts.back().to);
       continue;
     }
-    const Index f = e.face;
-    if (done[f]) { continue; }
-    done[f] = 1;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      if (!m_slit.may_cross(h)) { continue; }
-      const Index o = s.opposite[h], g = s.face(o);
-      const Point middle = s.point_on(h, 0.5);
-      const double d = m_reached[f].distance + distance(m_reached[f].entry, middle);
-      if (done[g])
-      {
-        if (m_cell[g] != m_cell[f])
-          queue.push({(d + m_reached[g].distance + distance(m_reached[g].entry, middle)) / 2, -1, h, false});
-        continue;
-      }
-      if (d < m_reached[g].distance)
-      {
-        m_reached[g] = {d, middle, h, false};
-        m_cell[g] = m_cell[f];
-        queue.push({d, g, -1, false});
-      }
-    }
+    if (is_done[e.face]) { continue; }
+    is_done[e.face] = 1;
+    leave_face(e.face, is_done, growth);
   }
   for (Index f = 0; f < faces; ++f)
   {
-    if (!done[f]) { m_cell[f] = -1; }
+    if (!is_done[f]) { m_cell[f] = -1; }
   }
-  return tree;
+  return contacts;
+}
+
+void Sleeve_search::seed_cell(Index loop, Growth& growth)
+{
+  const Refined_surface& s = m_slit.surface();
+  for_each_corner(loop, [&](Index h) {
+    const Index f = s.face(h), g = s.next(h);
+    if (m_reached[f].distance > 0)
+    {
+      m_reached[f] = {0, s.points[s.source(h)], h, true};
+      m_cell[f] = loop;
+      growth.push({0, f, -1, false});
+    }
+    for (const Index k : {h, s.prev(h)}) // an edge from this boundary to another
+    {
+      const Index end = k == h ? g : k;
+      if (m_slit.may_cross(k) && m_slit.loop(end) >= 0 && m_slit.loop(end) != loop)
+      {
+        growth.push({s.length(k) / 2, -1, k, true});
+      }
+    }
+  });
+}
+
+Contact Sleeve_search::contact_of(const Growth_event& e) const
+{
+  const Refined_surface& s = m_slit.surface();
+  const Index a = e.along ? m_slit.loop(e.halfedge) : m_cell[s.face(e.halfedge)];
+  const Index b = e.along ? m_slit.loop(s.next(e.halfedge)) : m_cell[s.face(s.opposite[e.halfedge])];
+  return {a, b, e.halfedge, e.along};
+}
+
+void Sleeve_search::leave_face(Index f, const std::vector<char>& is_done, Growth& growth)
+{
+  const Refined_surface& s = m_slit.surface();
+  for (Index h = 3 * f; h < 3 * f + 3; ++h)
+  {
+    if (!m_slit.may_cross(h)) { continue; }
+    const Index o = s.opposite[h], g = s.face(o);
+    const Point middle = s.point_on(h, 0.5);
+    const double d = m_reached[f].distance + distance(m_reached[f].entry, middle);
+    if (is_done[g])
+    {
+      if (m_cell[g] != m_cell[f])
+        growth.push({(d + m_reached[g].distance + distance(m_reached[g].entry, middle)) / 2, -1, h, false});
+      continue;
+    }
+    if (d < m_reached[g].distance)
+    {
+      m_reached[g] = {d, middle, h, false};
+      m_cell[g] = m_cell[f];
+      growth.push({d, g, -1, false});
+    }
+  }
 }
 
 bool Sleeve_search::along_cells(const Contact& c, Sleeve& sleeve) const

@@ -4,10 +4,11 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/surface/insert_curves.h>
 
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <algorithm>
+#include <cstddef>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -30,6 +31,7 @@ Slit_surface::Slit_surface(const Triangle_surface& root, Refined_surface& s, boo
       while (!s.is_seam_or_boundary(h)) { h = s.next(s.opposite[h]); }
     }
   }
+  m_joined = Union_find(number_of_loops());
 }
 
 void Slit_surface::add_point(Index v)
@@ -39,6 +41,7 @@ void Slit_surface::add_point(Index v)
   m_surface.for_each_outgoing(v, [&](Index h) { m_loop[h] = loop; });
   m_vertices[loop].push_back(v);
   m_is_used[v] = 1;
+  m_joined = Union_find(number_of_loops()); // nothing is joined yet
 }
 
 std::vector<Index> Slit_surface::insert(Sleeve sleeve)
@@ -67,13 +70,12 @@ std::vector<Index> Slit_surface::insert(Sleeve sleeve)
       m_surface.for_each_outgoing(path[i], [&](Index h) { m_loop[h] = a; });
       m_vertices[a].push_back(path[i]);
     }
-  m_joined[find(a)] = find(b);
+  m_joined.unite(a, b);
   return path;
 }
 
 Index Slit_surface::add_loop()
 {
-  m_joined.push_back(number_of_loops());
   m_vertices.emplace_back();
   return number_of_loops() - 1;
 }
@@ -86,12 +88,6 @@ void Slit_surface::label_sector(Index h, Index loop)
     m_loop[h] = loop;
     h = m_surface.turn_left(h);
   } while (h >= 0 && !m_surface.seam[h]);
-}
-
-Index Slit_surface::find(Index a) const
-{
-  while (m_joined[a] != a) { a = m_joined[a]; }
-  return a;
 }
 
 Index Slit_surface::loop_at(const Sleeve& sleeve, bool start) const

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Output_files.h"
 
-#include <meridian/curves/Normal_curves.h>
-#include <meridian/curves/find_crossing_loop.h>
-#include <meridian/field/Sparse_solver.h>
-
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>

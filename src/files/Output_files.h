@@ -4,9 +4,6 @@
 
 #include "read_mesh.h"
 
-#include <meridian/curves/Normal_curves.h>
-#include <meridian/field/Sparse_solver.h>
-
 #include <vector>
 
 namespace meridian {

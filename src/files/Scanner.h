@@ -4,12 +4,14 @@
 
 #include "read_mesh.h"
 
-#include <meridian/unwrap/cut_family.h>
-
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 #include <string_view>
+#include <system_error>
+#include <type_traits>
 
 namespace meridian {
 namespace files {

@@ -5,7 +5,6 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
-#include <meridian/unwrap/cut_family.h>
 #include <meridian/unwrap/square_border.h>
 
 namespace meridian {

@@ -4,7 +4,6 @@
 #include "read_mesh.h"
 
 #include <meridian/base/exceptions.h>
-#include <meridian/field/Sparse_solver.h>
 
 #include <png.h>
 

@@ -4,10 +4,14 @@
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/vectors.h>
-#include <meridian/curves/place_crossings.h>
-#include <meridian/field/Sparse_solver.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace meridian {
 namespace files {
@@ -92,126 +96,183 @@ private:
   bool m_is_text, m_is_swapped;
 };
 
-} // namespace
-
-Polygon_soup read_ply(const std::string& bytes)
+struct Header
 {
-  const std::size_t header = bytes.find("end_header");
-  if (bytes.compare(0, 3, "ply") != 0 || header == std::string::npos)
-  {
-    throw File_error("PLY: the file has no PLY header");
-  }
-  const std::size_t body_begin = bytes.find('\n', header);
-  if (body_begin == std::string::npos) { throw File_error("PLY: the file ends with its header"); }
-
-  Scanner head(std::string_view(bytes).substr(0, header), "PLY");
   std::string encoding;
   std::vector<Element> elements;
+};
+
+// What follows the word "element".
+Element read_element(Scanner& head)
+{
+  Element element;
+  element.name = head.word();
+  element.count = head.integer("the number of elements");
+  if (element.count < 0 || element.count > 500000000) { head.fail("an impossible number of elements"); }
+  return element;
+}
+
+// What follows the word "property".
+Property read_property(Scanner& head)
+{
+  Property p;
+  std::string_view type = head.word();
+  if (type == "list")
+  {
+    p.is_list = true;
+    p.count = type_of(head, head.word());
+    type = head.word();
+  }
+  p.type = type_of(head, type);
+  p.name = head.word();
+  return p;
+}
+
+// Reads the header, without the line that ends it.
+Header read_header(std::string_view text)
+{
+  Scanner head(text, "PLY");
+  Header header;
   head.skip_line();
   while (!head.at_end())
   {
     const std::string_view key = head.word();
-    if (key == "format") { encoding = head.word(); }
-    else if (key == "element")
-    {
-      elements.emplace_back();
-      elements.back().name = head.word();
-      elements.back().count = head.integer("the number of elements");
-      if (elements.back().count < 0 || elements.back().count > 500000000)
-      {
-        head.fail("an impossible number of elements");
-      }
-    }
+    if (key == "format") { header.encoding = head.word(); }
+    else if (key == "element") { header.elements.push_back(read_element(head)); }
     else if (key == "property")
     {
-      if (elements.empty()) { head.fail("a property before the first element"); }
-      Property p;
-      std::string_view type = head.word();
-      if (type == "list")
-      {
-        p.is_list = true;
-        p.count = type_of(head, head.word());
-        type = head.word();
-      }
-      p.type = type_of(head, type);
-      p.name = head.word();
-      elements.back().properties.push_back(p);
+      if (header.elements.empty()) { head.fail("a property before the first element"); }
+      header.elements.back().properties.push_back(read_property(head));
     }
     head.skip_line();
   }
-  if (encoding != "ascii" && encoding != "binary_little_endian" && encoding != "binary_big_endian")
-    throw File_error("PLY: unknown encoding '" + encoding + "'");
+  if (header.encoding != "ascii" && header.encoding != "binary_little_endian" && header.encoding != "binary_big_endian")
+    throw File_error("PLY: unknown encoding '" + header.encoding + "'");
+  return header;
+}
 
-  Scanner in(std::string_view(bytes).substr(body_begin + 1), "PLY, after the header");
-  Body body(in, encoding);
-  Polygon_soup soup;
-  std::vector<std::int32_t> list;
-  bool has_faces = false;
-  for (const Element& element : elements)
+// Adds the triangles of a strip: -1 ends a strip; every other triangle is turned.
+void add_strip(Polygon_soup& soup, const std::vector<std::int32_t>& list)
+{
+  for (std::size_t j = 0, first = 0; j < list.size(); ++j)
   {
-    const bool is_vertex = element.name == "vertex", is_face = element.name == "face",
-               is_strip = element.name == "tristrips";
-    std::array<int, 3> axis{-1, -1, -1};
-    int corners = -1;
-    for (std::size_t i = 0; i < element.properties.size(); ++i)
+    if (list[j] == -1)
     {
-      const Property& p = element.properties[i];
-      for (int k = 0; k < 3; ++k)
-      {
-        if (p.name == std::string(1, "xyz"[k]) && !p.is_list) { axis[k] = static_cast<int>(i); }
-      }
-      if (p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index")) { corners = static_cast<int>(i); }
+      first = j + 1;
+      continue;
     }
-    if (is_vertex && (axis[0] < 0 || axis[1] < 0 || axis[2] < 0))
+    if (j < first + 2) { continue; }
+    const bool odd = (j - first) % 2 == 1;
+    const std::array<std::int32_t, 3> t{list[j - 2], list[odd ? j : j - 1], list[odd ? j - 1 : j]};
+    soup.add_polygon(t.data(), 3);
+  }
+}
+
+// Reads the elements of one kind and adds vertices and faces to a soup.
+class Element_reader
+{
+public:
+  explicit Element_reader(const Element& element)
+    : m_element(element), m_is_vertex(element.name == "vertex"), m_is_face(element.name == "face"),
+      m_is_strip(element.name == "tristrips")
+  {
+    find_properties();
+    if (m_is_vertex && (m_axis[0] < 0 || m_axis[1] < 0 || m_axis[2] < 0))
     {
       throw File_error("PLY: the vertices have no x, y and z");
     }
-    if ((is_face || is_strip) && corners < 0)
+    if (has_faces() && m_corners < 0)
     {
       throw File_error("PLY: the element '" + element.name + "' has no list 'vertex_indices'");
     }
-    has_faces |= is_face || is_strip;
-    for (std::int64_t i = 0; i < element.count && !element.properties.empty(); ++i)
+  }
+
+  bool has_faces() const { return m_is_face || m_is_strip; }
+
+  void read(Body& body, Polygon_soup& soup)
+  {
+    for (std::int64_t i = 0; i < m_element.count && !m_element.properties.empty(); ++i)
     {
       Point point{0, 0, 0};
-      for (std::size_t k = 0; k < element.properties.size(); ++k)
+      for (std::size_t k = 0; k < m_element.properties.size(); ++k)
       {
-        const Property& p = element.properties[k];
-        if (!p.is_list)
-        {
-          const double x = body.value(p.type);
-          for (int a = 0; a < 3; ++a)
-          {
-            if (axis[a] == static_cast<int>(k)) { point[a] = x; }
-          }
-          continue;
-        }
-        const double n = body.value(p.count);
-        if (!(n >= 0) || n > static_cast<double>(body.left()))
-        {
-          throw File_error("PLY: element " + std::to_string(i) + " of '" + element.name
-                           + "' has a list of impossible length");
-        }
-        list.clear();
-        for (std::int64_t j = 0; j < static_cast<std::int64_t>(n); ++j) { list.push_back(body.index(p.type)); }
-        if (static_cast<int>(k) != corners) { continue; }
-        if (is_face) { soup.add_polygon(list.data(), list.size()); }
-        if (is_strip) // -1 ends a strip; every other triangle is turned
-          for (std::size_t j = 0, first = 0; j < list.size(); ++j)
-          {
-            if (list[j] == -1)
-            {
-              first = j + 1;
-              continue;
-            }
-            if (j < first + 2) { continue; }
-            const bool odd = (j - first) % 2 == 1;
-            const std::array<std::int32_t, 3> t{list[j - 2], list[odd ? j : j - 1], list[odd ? j - 1 : j]};
-            soup.add_polygon(t.data(), 3);
-          }
+        if (m_element.properties[k].is_list) { read_list(body, i, k, soup); }
+        else { read_number(body, k, point); }
       }
-      if (is_vertex) { soup.points.push_back(point); }
+      if (m_is_vertex) { soup.points.push_back(point); }
     }
+  }
+
+private:
+  // Which properties are the coordinates and the corners.
+  void find_properties()
+  {
+    for (std::size_t i = 0; i < m_element.properties.size(); ++i)
+    {
+      const Property& p = m_element.properties[i];
+      for (int k = 0; k < 3; ++k)
+      {
+        if (p.name == std::string(1, "xyz"[k]) && !p.is_list) { m_axis[k] = static_cast<int>(i); }
+      }
+      if (p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index")) { m_corners = static_cast<int>(i); }
+    }
+  }
+
+  // Reads property `k`, a number, into `point` if it is a coordinate.
+  void read_number(Body& body, std::size_t k, Point& point) const
+  {
+    const double x = body.value(m_element.properties[k].type);
+    for (int a = 0; a < 3; ++a)
+    {
+      if (m_axis[a] == static_cast<int>(k)) { point[a] = x; }
+    }
+  }
+
+  // Reads property `k` of element `i`, a list, and adds faces if it names their corners.
+  void read_list(Body& body, std::int64_t i, std::size_t k, Polygon_soup& soup)
+  {
+    const Property& p = m_element.properties[k];
+    const double n = body.value(p.count);
+    if (!(n >= 0) || n > static_cast<double>(body.left()))
+    {
+      throw File_error("PLY: element " + std::to_string(i) + " of '" + m_element.name
+                       + "' has a list of impossible length");
+    }
+    m_list.clear();
+    for (std::int64_t j = 0; j < static_cast<std::int64_t>(n); ++j) { m_list.push_back(body.index(p.type)); }
+    if (static_cast<int>(k) != m_corners) { return; }
+    if (m_is_face) { soup.add_polygon(m_list.data(), m_list.size()); }
+    if (m_is_strip) { add_strip(soup, m_list); }
+  }
+
+  const Element& m_element;
+  bool m_is_vertex, m_is_face, m_is_strip;
+  std::array<int, 3> m_axis{-1, -1, -1}; // properties; -1 if there is none
+  int m_corners = -1;
+  std::vector<std::int32_t> m_list;
+};
+
+} // namespace
+
+Polygon_soup read_ply(const std::string& bytes)
+{
+  const std::size_t header_end = bytes.find("end_header");
+  if (bytes.compare(0, 3, "ply") != 0 || header_end == std::string::npos)
+  {
+    throw File_error("PLY: the file has no PLY header");
+  }
+  const std::size_t body_begin = bytes.find('\n', header_end);
+  if (body_begin == std::string::npos) { throw File_error("PLY: the file ends with its header"); }
+  const Header header = read_header(std::string_view(bytes).substr(0, header_end));
+  Scanner in(std::string_view(bytes).substr(body_begin + 1), "PLY, after the header");
+  Body body(in, header.encoding);
+  Polygon_soup soup;
+  bool has_faces = false;
+  for (const Element& element : header.elements)
+  {
+    Element_reader reader(element);
+    has_faces |= reader.has_faces();
+    reader.read(body, soup);
   }
   if (!has_faces && !soup.points.empty()) { throw File_error("PLY: the file has points and no faces"); }
   return soup;

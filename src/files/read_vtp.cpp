@@ -3,10 +3,18 @@
 #include "formats.h"
 
 #include <meridian/base/Polygon_soup.h>
-#include <meridian/field/Scalar_field.h>
 
 #include <pugixml.hpp>
 #include <zlib.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 namespace meridian {
 namespace files {
 
@@ -169,25 +177,31 @@ private:
   bool m_is_packed;
 };
 
-} // namespace
-
-Polygon_soup read_vtp(const std::string& bytes)
+// A document whose appended raw bytes, which are not XML, are taken out of it.
+struct Document
 {
-  // Appended raw bytes are not XML: the document is read without them.
-  std::string document = bytes;
-  std::string_view appended;
+  std::string xml;
+  std::string_view appended; // lies in the file's bytes
   bool is_raw = false;
+};
+
+Document split_document(const std::string& bytes)
+{
+  Document d;
+  d.xml = bytes;
   const std::size_t tag = bytes.find("<AppendedData");
-  if (tag != std::string::npos)
-  {
-    const std::size_t close = bytes.find('>', tag), mark = bytes.find('_', close);
-    if (mark == std::string::npos) { throw File_error("VTP: the appended data has no beginning"); }
-    is_raw = bytes.substr(tag, close - tag).find("raw") != std::string::npos;
-    appended = std::string_view(bytes).substr(mark + 1);
-    document = bytes.substr(0, tag) + "</VTKFile>";
-  }
-  pugi::xml_document xml;
-  const pugi::xml_parse_result parsed = xml.load_buffer(document.data(), document.size());
+  if (tag == std::string::npos) { return d; }
+  const std::size_t close = bytes.find('>', tag), mark = bytes.find('_', close);
+  if (mark == std::string::npos) { throw File_error("VTP: the appended data has no beginning"); }
+  d.is_raw = bytes.substr(tag, close - tag).find("raw") != std::string::npos;
+  d.appended = std::string_view(bytes).substr(mark + 1);
+  d.xml = bytes.substr(0, tag) + "</VTKFile>";
+  return d;
+}
+
+pugi::xml_node parse(pugi::xml_document& xml, const std::string& text)
+{
+  const pugi::xml_parse_result parsed = xml.load_buffer(text.data(), text.size());
   if (!parsed)
   {
     throw File_error("VTP: " + std::string(parsed.description()) + " at byte " + std::to_string(parsed.offset));
@@ -197,61 +211,97 @@ Polygon_soup read_vtp(const std::string& bytes)
   {
     throw File_error("VTP: the file holds no PolyData");
   }
-  const Arrays arrays(root, appended, is_raw);
+  return root;
+}
 
-  Polygon_soup soup;
-  const auto index = [](double x) { return x >= 0 && x <= 2147483646. ? static_cast<std::int32_t>(x) : -1; };
-  for (const pugi::xml_node piece : root.child("PolyData").children("Piece"))
+// Adds the triangles of a strip: every other one is turned.
+void add_strip(Polygon_soup& soup, const std::vector<std::int32_t>& strip)
+{
+  for (std::size_t j = 2; j < strip.size(); ++j)
   {
-    const auto base = static_cast<std::int32_t>(soup.points.size());
-    const std::vector<double> xyz = arrays.read(piece.child("Points").child("DataArray"));
-    if (xyz.size() % 3 != 0 || xyz.size() / 3 != piece.attribute("NumberOfPoints").as_ullong())
+    const bool odd = j % 2 == 1;
+    const std::array<std::int32_t, 3> t{strip[j - 2], strip[odd ? j : j - 1], strip[odd ? j - 1 : j]};
+    soup.add_polygon(t.data(), 3);
+  }
+}
+
+// Adds the points of a piece to a soup, and then its cells.
+class Piece_reader
+{
+public:
+  Piece_reader(const pugi::xml_node& piece, const Arrays& arrays, Polygon_soup& soup)
+    : m_piece(piece), m_arrays(arrays), m_soup(soup), m_base(static_cast<std::int32_t>(soup.points.size()))
+  {}
+
+  void read()
+  {
+    add_points();
+    for (const char* kind : {"Polys", "Strips"}) { add_cells(kind); }
+  }
+
+private:
+  void add_points()
+  {
+    const std::vector<double> xyz = m_arrays.read(m_piece.child("Points").child("DataArray"));
+    if (xyz.size() % 3 != 0 || xyz.size() / 3 != m_piece.attribute("NumberOfPoints").as_ullong())
     {
       throw File_error("VTP: the number of coordinates does not match the number of points");
     }
-    for (std::size_t i = 0; i < xyz.size(); i += 3) { soup.points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]}); }
-    for (const char* kind : {"Polys", "Strips"})
+    for (std::size_t i = 0; i < xyz.size(); i += 3) { m_soup.points.push_back({xyz[i], xyz[i + 1], xyz[i + 2]}); }
+  }
+
+  void add_cells(const char* kind)
+  {
+    const auto count = m_piece.attribute((std::string("NumberOf") + kind).c_str()).as_ullong();
+    const pugi::xml_node cells = m_piece.child(kind);
+    if (!cells || count == 0) { return; }
+    std::vector<double> corners, ends;
+    for (const pugi::xml_node array : cells.children("DataArray"))
     {
-      const bool is_strip = kind[0] == 'S';
-      const pugi::xml_node cells = piece.child(kind);
-      if (!cells || piece.attribute((std::string("NumberOf") + kind).c_str()).as_ullong() == 0) { continue; }
-      std::vector<double> corners, ends;
-      for (const pugi::xml_node array : cells.children("DataArray"))
-      {
-        if (std::string_view(array.attribute("Name").value()) == "connectivity") { corners = arrays.read(array); }
-        if (std::string_view(array.attribute("Name").value()) == "offsets") { ends = arrays.read(array); }
-      }
-      if (ends.size() != piece.attribute((std::string("NumberOf") + kind).c_str()).as_ullong())
-      {
-        throw File_error("VTP: the number of cells does not match their offsets");
-      }
-      std::size_t at = 0;
-      std::vector<std::int32_t> polygon;
-      for (double end : ends)
-      {
-        if (!(end >= static_cast<double>(at)) || end > static_cast<double>(corners.size()))
-        {
-          throw File_error("VTP: the cells' offsets do not match their corners");
-        }
-        polygon.clear();
-        for (; static_cast<double>(at) < end; ++at)
-        {
-          const std::int32_t i = index(corners[at]);
-          polygon.push_back(i < 0 || i > 2147483646 - base ? -1 : i + base);
-        }
-        if (!is_strip)
-        {
-          soup.add_polygon(polygon.data(), polygon.size());
-          continue;
-        }
-        for (std::size_t j = 2; j < polygon.size(); ++j)
-        {
-          const bool odd = j % 2 == 1;
-          const std::array<std::int32_t, 3> t{polygon[j - 2], polygon[odd ? j : j - 1], polygon[odd ? j - 1 : j]};
-          soup.add_polygon(t.data(), 3);
-        }
-      }
+      if (std::string_view(array.attribute("Name").value()) == "connectivity") { corners = m_arrays.read(array); }
+      if (std::string_view(array.attribute("Name").value()) == "offsets") { ends = m_arrays.read(array); }
     }
+    if (ends.size() != count) { throw File_error("VTP: the number of cells does not match their offsets"); }
+    std::size_t at = 0;
+    for (double end : ends)
+    {
+      if (!(end >= static_cast<double>(at)) || end > static_cast<double>(corners.size()))
+      {
+        throw File_error("VTP: the cells' offsets do not match their corners");
+      }
+      m_polygon.clear();
+      for (; static_cast<double>(at) < end; ++at) { m_polygon.push_back(vertex(corners[at])); }
+      if (kind[0] == 'S') { add_strip(m_soup, m_polygon); }
+      else { m_soup.add_polygon(m_polygon.data(), m_polygon.size()); }
+    }
+  }
+
+  // The vertex of the soup that a corner names; -1 if it is out of range.
+  std::int32_t vertex(double corner) const
+  {
+    const std::int32_t i = corner >= 0 && corner <= 2147483646. ? static_cast<std::int32_t>(corner) : -1;
+    return i < 0 || i > 2147483646 - m_base ? -1 : i + m_base;
+  }
+
+  pugi::xml_node m_piece;
+  const Arrays& m_arrays;
+  Polygon_soup& m_soup;
+  std::int32_t m_base; // the first of the piece's points
+  std::vector<std::int32_t> m_polygon;
+};
+
+} // namespace
+
+Polygon_soup read_vtp(const std::string& bytes)
+{
+  const Document document = split_document(bytes);
+  pugi::xml_document xml;
+  const pugi::xml_node root = parse(xml, document.xml);
+  const Arrays arrays(root, document.appended, document.is_raw);
+  Polygon_soup soup;
+  for (const pugi::xml_node piece : root.child("PolyData").children("Piece"))
+  {
+    Piece_reader(piece, arrays, soup).read();
   }
   return soup;
 }

@@ -6,9 +6,6 @@
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/vectors.h>
-#include <meridian/curves/find_crossing_loop.h>
-#include <meridian/field/intrinsic_delaunay.h>
-#include <meridian/surface/Triangle_surface.h>
 #include <meridian/unwrap/square_border.h>
 
 #include <algorithm>

@@ -221,46 +221,32 @@ std::string format_map(const Result_mesh& m, Result_kind kind, const std::vector
   return out.take();
 }
 
-Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Result_curve>& fields)
+namespace {
+
+// Takes a map file apart. Throws nlohmann's exceptions where something is missing or of another type.
+class Map_reader
 {
-  try
+public:
+  Map_reader(const std::string& path, const nlohmann::json& json) : m_path(path), m_json(json) {}
+
+  void read_indices(const char* key, std::vector<std::int32_t>& list) const
   {
-    const auto json = nlohmann::json::parse(read_bytes(path));
-    const auto index = [&](const nlohmann::json& entry) {
-      if (!entry.is_number_integer() || entry > 2147483647 || entry < -2147483647)
-      {
-        throw File_error(path + ": an index is not a whole number in range");
-      }
-      return entry.get<std::int32_t>();
-    };
-    const auto read_indices = [&](const char* key, std::vector<std::int32_t>& list) {
-      for (const auto& entry : json.at(key)) { list.push_back(index(entry)); }
-    };
-    read_indices("copy_of", mesh.copy_of);
-    read_indices("face_of", mesh.face_of);
-    read_indices("component_of", mesh.component_of);
-    for (const auto& entry : json.at("seams")) { mesh.seams.push_back({index(entry.at(0)), index(entry.at(1))}); }
-    for (const auto& entry : json.at("origin"))
-    {
-      Result_origin o;
-      o.index[0] = index(entry.at(0));
-      switch (entry.size())
-      {
-      case 1: break;
-      case 3:
-        o.kind = Result_origin::EDGE;
-        o.index[1] = index(entry.at(1));
-        o.weight[0] = entry.at(2).get<double>();
-        break;
-      case 4:
-        o.kind = Result_origin::FACE;
-        for (std::size_t i = 0; i < 3; ++i) { o.weight[i] = entry.at(i + 1).get<double>(); }
-        break;
-      default: throw File_error(path + ": an origin has " + std::to_string(entry.size()) + " entries");
-      }
-      mesh.origin.push_back(o);
-    }
-    for (const auto& entry : json.value("fields", nlohmann::json::array()))
+    for (const auto& entry : m_json.at(key)) { list.push_back(index(entry)); }
+  }
+
+  void read_seams(Result_mesh& mesh) const
+  {
+    for (const auto& entry : m_json.at("seams")) { mesh.seams.push_back({index(entry.at(0)), index(entry.at(1))}); }
+  }
+
+  void read_origins(Result_mesh& mesh) const
+  {
+    for (const auto& entry : m_json.at("origin")) { mesh.origin.push_back(origin(entry)); }
+  }
+
+  void read_fields(std::vector<Result_curve>& fields) const
+  {
+    for (const auto& entry : m_json.value("fields", nlohmann::json::array()))
     {
       fields.push_back({entry.at("curve").get<std::string>(), {}, {}});
       for (const auto& value : entry.at("values"))
@@ -268,14 +254,70 @@ Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Res
         fields.back().field.emplace(index(value.at(0)), value.at(1).get<double>());
       }
     }
-    const std::string kind = json.value("result", "cut");
+  }
+
+  Result_kind kind() const
+  {
+    const std::string kind = m_json.value("result", "cut");
     if (kind != "cut" && kind != "generators" && kind != "unwrapping")
     {
-      throw File_error(path + ": a map of an unknown result '" + kind + "'");
+      throw File_error(m_path + ": a map of an unknown result '" + kind + "'");
     }
     return kind == "generators"   ? Result_kind::GENERATORS
            : kind == "unwrapping" ? Result_kind::UNWRAPPING
                                   : Result_kind::CUT;
+  }
+
+private:
+  std::int32_t index(const nlohmann::json& entry) const
+  {
+    if (!entry.is_number_integer() || entry > 2147483647 || entry < -2147483647)
+    {
+      throw File_error(m_path + ": an index is not a whole number in range");
+    }
+    return entry.get<std::int32_t>();
+  }
+
+  Result_origin origin(const nlohmann::json& entry) const
+  {
+    Result_origin o;
+    o.index[0] = index(entry.at(0));
+    switch (entry.size())
+    {
+    case 1: break;
+    case 3:
+      o.kind = Result_origin::EDGE;
+      o.index[1] = index(entry.at(1));
+      o.weight[0] = entry.at(2).get<double>();
+      break;
+    case 4:
+      o.kind = Result_origin::FACE;
+      for (std::size_t i = 0; i < 3; ++i) { o.weight[i] = entry.at(i + 1).get<double>(); }
+      break;
+    default: throw File_error(m_path + ": an origin has " + std::to_string(entry.size()) + " entries");
+    }
+    return o;
+  }
+
+  const std::string& m_path;
+  const nlohmann::json& m_json;
+};
+
+} // namespace
+
+Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Result_curve>& fields)
+{
+  try
+  {
+    const auto json = nlohmann::json::parse(read_bytes(path));
+    const Map_reader reader(path, json);
+    reader.read_indices("copy_of", mesh.copy_of);
+    reader.read_indices("face_of", mesh.face_of);
+    reader.read_indices("component_of", mesh.component_of);
+    reader.read_seams(mesh);
+    reader.read_origins(mesh);
+    reader.read_fields(fields);
+    return reader.kind();
   }
   catch (const nlohmann::json::exception& e)
   {

@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/handles/internal/dual_loops.h>
 
+#include <meridian/base/Union_find.h>
+#include <meridian/base/vectors.h>
+
+#include <algorithm>
+#include <cstddef>
 #include <functional>
-#include <numeric>
+#include <limits>
 #include <queue>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -12,11 +19,7 @@ namespace internal {
 Node_tree::Node_tree(const Triangle_surface& s, const Closed_model& g)
   : m_surface(s), m_graph(g), m_is_down(s.number_of_halfedges(), 0)
 {
-  std::vector<Index> parent(g.number_of_nodes), face(s.number_of_faces()),
-    rank(std::max(g.number_of_nodes, s.number_of_faces()), 0);
-  std::iota(parent.begin(), parent.end(), Index(0));
-  std::iota(face.begin(), face.end(), Index(0));
-  boost::disjoint_sets<Index*, Index*> nodes(rank.data(), parent.data());
+  Union_find nodes(g.number_of_nodes), faces(s.number_of_faces());
   std::vector<std::vector<Index>> tree(g.number_of_nodes); // of a node: halfedges to its neighbours
   std::vector<Index> rest;
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
@@ -24,25 +27,25 @@ Node_tree::Node_tree(const Triangle_surface& s, const Closed_model& g)
     const Index o = s.opposite[h];
     if (o < h) { continue; }
     const Index a = g.node[s.source(h)], b = g.node[s.target(h)];
-    if (nodes.find_set(a) == nodes.find_set(b))
+    if (!nodes.unite(a, b))
     {
       rest.push_back(h);
       continue;
     }
-    nodes.union_set(a, b);
     tree[a].push_back(h);
     tree[b].push_back(o);
   }
-  std::vector<Index> order(s.number_of_faces(), 0);
-  boost::disjoint_sets<Index*, Index*> faces(order.data(), face.data());
   for (Index h : rest)
   {
-    const Index f = s.face(h), f2 = s.face(s.opposite[h]);
-    if (faces.find_set(f) == faces.find_set(f2)) { m_edges.push_back(h); }
-    else { faces.union_set(f, f2); }
+    if (!faces.unite(s.face(h), s.face(s.opposite[h]))) { m_edges.push_back(h); }
   }
-  m_enter.assign(g.number_of_nodes, -1);
-  m_leave.assign(g.number_of_nodes, -1);
+  tour(tree);
+}
+
+void Node_tree::tour(const std::vector<std::vector<Index>>& tree)
+{
+  m_enter.assign(tree.size(), -1);
+  m_leave.assign(tree.size(), -1);
   std::vector<std::pair<Index, std::size_t>> stack{{0, 0}};
   Index time = 0;
   m_enter[0] = time++;
@@ -55,7 +58,7 @@ Node_tree::Node_tree(const Triangle_surface& s, const Closed_model& g)
       stack.pop_back();
       continue;
     }
-    const Index h = tree[a][next++], b = g.node[s.target(h)];
+    const Index h = tree[a][next++], b = m_graph.node[m_surface.target(h)];
     if (m_enter[b] >= 0) { continue; }
     m_is_down[h] = 1;
     m_enter[b] = time++;
@@ -94,61 +97,65 @@ boost::dynamic_bitset<> Node_tree::parity_of(const std::vector<Passing>& strip) 
   return parity;
 }
 
-std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g, Index base, std::vector<double>& far)
+namespace {
+
+// Shortest ways through faces from one of them. Distances are measured to the middle of the edge by which a face was
+// entered.
+class Face_tree
 {
-  const Index faces = s.number_of_faces();
-  std::vector<double> at(faces, std::numeric_limits<double>::infinity());
-  std::vector<Index> by(faces, -1); // the halfedge by which the face before was left
-  const auto entry = [&](Index f) { // distances are measured to the middle of the edge by which a face was entered
-    const auto& t = s.triangles[f];
-    return by[f] >= 0 ? s.point_on(by[f], 0.5) : (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
-  };
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  at[base] = 0;
-  queue.emplace(0., base);
-  while (!queue.empty())
+public:
+  Face_tree(const Triangle_surface& s, Index base)
+    : m_surface(s), m_at(s.number_of_faces(), std::numeric_limits<double>::infinity()), m_by(s.number_of_faces(), -1)
   {
-    const auto [d, f] = queue.top();
-    queue.pop();
-    if (d > at[f]) { continue; }
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    using Entry = std::pair<double, Index>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    m_at[base] = 0;
+    queue.emplace(0., base);
+    while (!queue.empty())
     {
-      if (s.opposite[h] < 0) { continue; }
-      const Index o = s.face(s.opposite[h]);
-      const double reached = d + distance(entry(f), s.point_on(h, 0.5));
-      if (!(reached < at[o])) { continue; }
-      at[o] = reached;
-      by[o] = h;
-      queue.emplace(reached, o);
+      const auto [d, f] = queue.top();
+      queue.pop();
+      if (d > m_at[f]) { continue; }
+      for (Index h = 3 * f; h < 3 * f + 3; ++h)
+      {
+        if (s.opposite[h] < 0) { continue; }
+        const Index o = s.face(s.opposite[h]);
+        const double reached = d + distance(entry(f), s.point_on(h, 0.5));
+        if (!(reached < m_at[o])) { continue; }
+        m_at[o] = reached;
+        m_by[o] = h;
+        queue.emplace(reached, o);
+      }
     }
   }
-  for (Index f = 0; f < faces; ++f) { far[f] = std::min(far[f], at[f]); }
-  std::vector<std::pair<double, Index>> rest; // by the length of their loops, the longest first
-  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+
+  double distance_of(Index f) const { return m_at[f]; }
+
+  // Whether the tree crosses an edge.
+  bool crosses(Index h) const
   {
-    const Index o = s.opposite[h];
-    if (o < h || by[s.face(o)] == h || by[s.face(h)] == o) { continue; }
-    const Point middle = s.point_on(h, 0.5);
-    rest.emplace_back(
-      -(at[s.face(h)] + at[s.face(o)] + distance(entry(s.face(h)), middle) + distance(entry(s.face(o)), middle)), h);
+    const Index o = m_surface.opposite[h];
+    return m_by[m_surface.face(o)] == h || m_by[m_surface.face(h)] == o;
   }
-  std::sort(rest.begin(), rest.end());
-  std::vector<Index> parent(g.number_of_nodes), rank(g.number_of_nodes, 0);
-  std::iota(parent.begin(), parent.end(), Index(0));
-  boost::disjoint_sets<Index*, Index*> nodes(rank.data(), parent.data());
-  std::vector<Dual_loop> loops;
-  for (const auto& [length, h] : rest)
+
+  // The length of the loop of an edge that the tree does not cross.
+  double loop_length(Index h) const
   {
-    const Index a = g.node[s.source(h)], b = g.node[s.target(h)];
-    if (nodes.find_set(a) != nodes.find_set(b))
-    {
-      nodes.union_set(a, b);
-      continue;
-    }
+    const Index f = m_surface.face(h), g = m_surface.face(m_surface.opposite[h]);
+    const Point middle = m_surface.point_on(h, 0.5);
+    return m_at[f] + m_at[g] + distance(entry(f), middle) + distance(entry(g), middle);
+  }
+
+  // The loop of an edge, without what it has twice.
+  std::vector<Passing> loop(Index h) const
+  {
+    const Triangle_surface& s = m_surface;
     std::vector<Passing> there, back;
-    for (Index f = s.face(h); by[f] >= 0; f = s.face(by[f])) { there.push_back({by[f], 0.5}); }
-    for (Index f = s.face(s.opposite[h]); by[f] >= 0; f = s.face(by[f])) { back.push_back({s.opposite[by[f]], 0.5}); }
+    for (Index f = s.face(h); m_by[f] >= 0; f = s.face(m_by[f])) { there.push_back({m_by[f], 0.5}); }
+    for (Index f = s.face(s.opposite[h]); m_by[f] >= 0; f = s.face(m_by[f]))
+    {
+      back.push_back({s.opposite[m_by[f]], 0.5});
+    }
     while (!there.empty() && !back.empty() && there.back().halfedge == s.opposite[back.back().halfedge])
     {
       there.pop_back();
@@ -157,7 +164,41 @@ std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g
     std::reverse(there.begin(), there.end());
     there.push_back({h, 0.5});
     there.insert(there.end(), back.begin(), back.end());
-    loops.push_back({std::move(there), -length, -length, {}});
+    return there;
+  }
+
+private:
+  Point entry(Index f) const
+  {
+    const auto& t = m_surface.triangles[f];
+    return m_by[f] >= 0 ? m_surface.point_on(m_by[f], 0.5)
+                        : (1. / 3) * (m_surface.points[t[0]] + m_surface.points[t[1]] + m_surface.points[t[2]]);
+  }
+
+  const Triangle_surface& m_surface;
+  std::vector<double> m_at;
+  std::vector<Index> m_by; // the halfedge by which the face before was left
+};
+
+} // namespace
+
+std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g, Index base, std::vector<double>& far)
+{
+  const Face_tree tree(s, base);
+  for (Index f = 0; f < s.number_of_faces(); ++f) { far[f] = std::min(far[f], tree.distance_of(f)); }
+  std::vector<std::pair<double, Index>> rest; // by the length of their loops, the longest first
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.opposite[h] < h || tree.crosses(h)) { continue; }
+    rest.emplace_back(-tree.loop_length(h), h);
+  }
+  std::sort(rest.begin(), rest.end());
+  Union_find nodes(g.number_of_nodes);
+  std::vector<Dual_loop> loops;
+  for (const auto& [length, h] : rest)
+  {
+    if (nodes.unite(g.node[s.source(h)], g.node[s.target(h)])) { continue; }
+    loops.push_back({tree.loop(h), -length, -length, {}});
   }
   return loops;
 }

@@ -27,10 +27,15 @@
 #include <meridian/surface/root_edges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace meridian {
+
+namespace internal {
 
 namespace {
 
@@ -87,108 +92,174 @@ Index nearest_on_surface(const Triangle_surface& root, const Filled_surface* fil
   return v < root.number_of_vertices() ? v : filled->surface.target(filled->surface.outgoing[v]);
 }
 
-} // namespace
+// Turns two closed walks to begin at the first vertex of the first that both visit.
+void rotate_to_shared(std::vector<Index>& meridian, std::vector<Index>& longitude)
+{
+  std::vector<Index> sorted = longitude;
+  std::sort(sorted.begin(), sorted.end());
+  const auto shared = std::find_if(meridian.begin(), meridian.end(),
+                                   [&](Index v) { return std::binary_search(sorted.begin(), sorted.end(), v); });
+  if (shared == meridian.end()) { throw Internal_error("find_generators: a pair shares no vertex"); }
+  const Index v = *shared;
+  std::rotate(meridian.begin(), shared, meridian.end());
+  std::rotate(longitude.begin(), std::find(longitude.begin(), longitude.end(), v), longitude.end());
+}
 
-namespace internal {
+// The stages of a search for generators. Of pair `i` the meridian is curve `2 i` and the longitude curve `2 i + 1`.
+class Generator_search
+{
+public:
+  Generator_search(const Triangle_surface& root, const Ordered_surface& m, const Generator_options& options,
+                   const Stage_runner& run, Generators& g, const Filled_surface* filled)
+    : m_root(root), m_ordered(m), m_options(options), m_run(run), m_result(g), m_filled(filled),
+      m_curves(root, 2 * g.genus)
+  {}
+
+  void trace_contours() { m_meridians.loops = trace_saddle_loops(m_ordered); }
+
+  void add_meridians()
+  {
+    find_meridians(whole(), m_ordered, genus(), m_options.preference, m_meridians, m_options.levels);
+    add_contours(
+      m_filled ? project_from_filled(m_root, *m_filled, m_ordered, m_meridians.chosen(), m_result.arcs, m_result.loops)
+               : project_crossings(m_root, m_ordered, m_meridians.chosen()),
+      m_curves);
+    m_result.pairs.resize(genus());
+    for (int i = 0; i < genus(); ++i)
+    {
+      const std::size_t loop = m_meridians.choices[i].loop;
+      Generator_curve& meridian = m_result.pairs[i].meridian;
+      meridian.saddle = nearest_on_surface(m_root, m_filled, m_meridians.candidates[loop].saddle);
+      meridian.method = Curve_method::CONTOUR;
+      m_saddles.emplace_back(m_meridians.loops[loop].saddle, -1);
+    }
+  }
+
+  void trace_flow()
+  {
+    m_complex = make_morse_complex(m_ordered);
+    m_result.is_morse_smale = m_complex.is_morse_smale();
+    m_result.saddle_connections = static_cast<int>(m_complex.connections.size());
+    for (Index i = 0; i < static_cast<Index>(m_complex.lines.size()) && m_options.keep_complex; ++i)
+    {
+      auto& points = m_result.complex_lines.emplace_back();
+      for (const Curve_point& p : whole_line(m_complex.lines, i)) { points.push_back(position(m_ordered.surface, p)); }
+    }
+  }
+
+  void add_longitudes()
+  {
+    std::unique_ptr<Flow_longitudes> flow;
+    if (m_options.flow && !m_filled)
+    {
+      flow = std::make_unique<Flow_longitudes>(m_root, m_ordered, m_complex, m_curves, m_saddles,
+                                               m_options.tighten ? 1.02 : 1.25, m_options.solvers);
+    }
+    add_shortest_longitudes(m_curves, genus(), m_run, [&](Index i, const Crossing_loop& arc) {
+      return flow && flow->add(i, arc, m_result.pairs[i]);
+    });
+    check_contract(m_curves);
+    for (int i = 0; i < genus(); ++i)
+    {
+      m_saddles[i].second = find_far_saddle(m_ordered, m_curves, 2 * i + 1, m_saddles[i].first);
+      Generator_curve& longitude = m_result.pairs[i].longitude;
+      if (m_saddles[i].second >= 0 && longitude.saddle < 0)
+      {
+        longitude.saddle =
+          nearest_on_surface(m_root, m_filled, root_vertex(whole(), m_ordered.surface, m_saddles[i].second));
+      }
+    }
+  }
+
+  void measure()
+  {
+    for (int i = 0; i < genus(); ++i)
+    {
+      m_result.pairs[i].meridian.length_found = length(m_curves, 2 * i);
+      m_result.pairs[i].longitude.length_found = length(m_curves, 2 * i + 1);
+    }
+  }
+
+  void tighten()
+  {
+    Tighten_options tightening = m_options.tightening;
+    tightening.progress = [&](double done) { m_run.progress(Stage::TIGHTEN, done); };
+    tighten_curves(m_curves, tightening);
+    check_contract(m_curves);
+  }
+
+  void insert()
+  {
+    const auto paths = insert_curves(m_root, m_result.surface, place_normal_curves(m_curves)).vertices;
+    for (int i = 0; i < genus(); ++i)
+    {
+      std::vector<Index> meridian = paths[2 * i], longitude = paths[2 * i + 1];
+      rotate_to_shared(meridian, longitude);
+      auto& pair = m_result.pairs[i];
+      pair.meridian.length = length(m_result.surface, meridian);
+      pair.longitude.length = length(m_result.surface, longitude);
+      pair.meridian.vertices = std::move(meridian);
+      pair.longitude.vertices = std::move(longitude);
+      Generator_curve& l = pair.longitude;
+      if (l.method == Curve_method::FLOW && !is_monotone(m_result.surface, l.vertices, l.field))
+      {
+        l.method = Curve_method::ARC;
+        l.field.clear();
+      }
+    }
+  }
+
+  std::vector<std::vector<Passing>> crossings() const
+  {
+    std::vector<std::vector<Passing>> all;
+    for (Index c = 0; c < m_curves.number_of_curves(); ++c) { all.push_back(passings_of(m_curves, c)); }
+    return all;
+  }
+
+  const std::vector<std::pair<Index, Index>>& saddles() const { return m_saddles; }
+
+private:
+  int genus() const { return m_result.genus; }
+  // The surface that is ordered.
+  const Triangle_surface& whole() const { return m_filled ? m_filled->surface : m_root; }
+
+  const Triangle_surface& m_root;
+  const Ordered_surface& m_ordered;
+  const Generator_options& m_options;
+  const Stage_runner& m_run;
+  Generators& m_result;
+  const Filled_surface* m_filled;
+  Normal_curves m_curves;
+  Meridian_search m_meridians;
+  Morse_complex m_complex;
+  std::vector<std::pair<Index, Index>> m_saddles; // of each pair
+};
+
+} // namespace
 
 std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m,
                                                      const Generator_options& options, const Stage_runner& run,
                                                      Generators& g, std::vector<std::vector<Passing>>* crossings,
                                                      const Filled_surface* filled)
 {
-  std::vector<std::pair<Index, Index>> saddles;
   static_cast<Field_summary&>(g) = summarize_field(root, m, options);
-  Meridian_search search;
-  run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
-  Normal_curves curves(root, 2 * g.genus);
-  run(Stage::MERIDIANS, [&] {
-    find_meridians(filled ? filled->surface : root, m, g.genus, options.preference, search, options.levels);
-    add_contours(filled ? project_from_filled(root, *filled, m, search.chosen(), g.arcs, g.loops)
-                        : project_crossings(root, m, search.chosen()),
-                 curves);
-    g.pairs.resize(g.genus);
-    for (int i = 0; i < g.genus; ++i)
-    {
-      const std::size_t loop = search.choices[i].loop;
-      g.pairs[i].meridian.saddle = nearest_on_surface(root, filled, search.candidates[loop].saddle);
-      g.pairs[i].meridian.method = Curve_method::CONTOUR;
-      saddles.emplace_back(search.loops[loop].saddle, -1);
-    }
-  });
-  Morse_complex complex;
-  run(Stage::FLOW, [&] {
-    complex = make_morse_complex(m);
-    g.is_morse_smale = complex.is_morse_smale();
-    g.saddle_connections = static_cast<int>(complex.connections.size());
-    for (Index i = 0; i < static_cast<Index>(complex.lines.size()) && options.keep_complex; ++i)
-    {
-      auto& points = g.complex_lines.emplace_back();
-      for (const Curve_point& p : whole_line(complex.lines, i)) { points.push_back(position(m.surface, p)); }
-    }
-  });
-  run(Stage::LONGITUDES, [&] {
-    std::unique_ptr<Flow_longitudes> flow;
-    if (options.flow && !filled)
-    {
-      flow = std::make_unique<Flow_longitudes>(root, m, complex, curves, saddles, options.tighten ? 1.02 : 1.25,
-                                               options.solvers);
-    }
-    add_shortest_longitudes(curves, g.genus, run,
-                            [&](Index i, const Crossing_loop& arc) { return flow && flow->add(i, arc, g.pairs[i]); });
-    check_contract(curves);
-    for (int i = 0; i < g.genus; ++i)
-    {
-      saddles[i].second = find_far_saddle(m, curves, 2 * i + 1, saddles[i].first);
-      if (saddles[i].second >= 0 && g.pairs[i].longitude.saddle < 0)
-      {
-        g.pairs[i].longitude.saddle =
-          nearest_on_surface(root, filled, root_vertex(filled ? filled->surface : root, m.surface, saddles[i].second));
-      }
-    }
-  });
-  for (int i = 0; i < g.genus; ++i)
-  {
-    g.pairs[i].meridian.length_found = length(curves, 2 * i);
-    g.pairs[i].longitude.length_found = length(curves, 2 * i + 1);
-  }
+  Generator_search search(root, m, options, run, g, filled);
+  run(Stage::CONTOURS, [&] { search.trace_contours(); });
+  run(Stage::MERIDIANS, [&] { search.add_meridians(); });
+  run(Stage::FLOW, [&] { search.trace_flow(); });
+  run(Stage::LONGITUDES, [&] { search.add_longitudes(); });
+  search.measure();
   if (options.tighten)
-    run(Stage::TIGHTEN, [&] {
-      Tighten_options tightening = options.tightening;
-      tightening.progress = [&](double done) { run.progress(Stage::TIGHTEN, done); };
-      tighten_curves(curves, tightening);
-      check_contract(curves);
-    });
+  {
+    run(Stage::TIGHTEN, [&] { search.tighten(); });
+  }
   if (crossings)
   {
-    for (Index c = 0; c < curves.number_of_curves(); ++c) { crossings->push_back(passings_of(curves, c)); }
-    return saddles;
+    for (auto& c : search.crossings()) { crossings->push_back(std::move(c)); }
+    return search.saddles();
   }
-  run(Stage::INSERT, [&] {
-    const auto paths = insert_curves(root, g.surface, place_normal_curves(curves)).vertices;
-    for (int i = 0; i < g.genus; ++i)
-    {
-      std::vector<Index> meridian = paths[2 * i], longitude = paths[2 * i + 1];
-      std::vector<Index> sorted = longitude;
-      std::sort(sorted.begin(), sorted.end());
-      const auto shared = std::find_if(meridian.begin(), meridian.end(),
-                                       [&](Index v) { return std::binary_search(sorted.begin(), sorted.end(), v); });
-      if (shared == meridian.end()) { throw Internal_error("find_generators: a pair shares no vertex"); }
-      const Index v = *shared;
-      std::rotate(meridian.begin(), shared, meridian.end());
-      std::rotate(longitude.begin(), std::find(longitude.begin(), longitude.end(), v), longitude.end());
-      g.pairs[i].meridian.length = length(g.surface, meridian);
-      g.pairs[i].longitude.length = length(g.surface, longitude);
-      g.pairs[i].meridian.vertices = std::move(meridian);
-      g.pairs[i].longitude.vertices = std::move(longitude);
-      Generator_curve& l = g.pairs[i].longitude;
-      if (l.method == Curve_method::FLOW && !is_monotone(g.surface, l.vertices, l.field))
-      {
-        l.method = Curve_method::ARC;
-        l.field.clear();
-      }
-    }
-  });
-  return saddles;
+  run(Stage::INSERT, [&] { search.insert(); });
+  return search.saddles();
 }
 
 } // namespace internal

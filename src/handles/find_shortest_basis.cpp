@@ -12,20 +12,24 @@
 #include <meridian/field/order_surface.h>
 #include <meridian/handles/find_generators.h>
 #include <meridian/handles/internal/dual_loops.h>
+#include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/root_edges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <queue>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
-using namespace internal;
+namespace internal {
 
 namespace {
 
@@ -154,7 +158,102 @@ Surface_curve place_loop(const Refined_surface& s, const std::vector<Passing>& l
     .front();
 }
 
+// Candidates for a basis. Meridians and longitudes are among them.
+std::vector<Dual_loop> find_candidates(const Triangle_surface& root, int genus, const Basis_options& options,
+                                       const Stage_runner& run)
+{
+  Generator_options pair_options;
+  pair_options.flow = false;
+  pair_options.solvers = options.solvers;
+  pair_options.tighten = options.tighten;
+  const Ordered_surface m = order_surface(root, pair_options, run_unwatched);
+  Generators pairs;
+  pairs.genus = genus;
+  Stage_times ignored;
+  std::vector<std::vector<Passing>> crossings;
+  find_generators(root, m, pair_options, Stage_runner{nullptr, ignored}, pairs, &crossings);
+  return find_dual_loops(
+    root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96),
+    2 * static_cast<std::size_t>(genus), crossings, [&](double done) { run.progress(Stage::LONGITUDES, done); });
+}
+
+// Shortens all candidates if that is wanted, and chooses among them.
+std::vector<Dual_loop> tighten_and_choose(const Triangle_surface& root, std::vector<Dual_loop> loops,
+                                          std::size_t wanted, const Basis_options& options, const Stage_runner& run)
+{
+  for (std::size_t i = 0; i < loops.size() && options.tighten; ++i)
+  {
+    loops[i].length = tighten_loop(root, loops[i].crossings, options.tightening);
+    run.progress(Stage::TIGHTEN, (i + 1.) / loops.size());
+  }
+  return choose_basis(std::move(loops), wanted);
+}
+
+// The new vertices on edges, by the edges' ends: how far from the first of them, and the vertex.
+using Divided_edges = std::map<std::pair<Index, Index>, std::vector<std::pair<double, Index>>>;
+
+// Inserts a curve. Returns its vertices, and where it divides edges that were there.
+std::pair<std::vector<Index>, Divided_edges> insert_loop(const Triangle_surface& root, Refined_surface& s,
+                                                         const Surface_curve& placed)
+{
+  std::vector<std::pair<Index, Index>> ends;
+  for (const Curve_point& p : placed.points)
+  {
+    ends.emplace_back(p.is_vertex()
+                        ? std::make_pair(Index(-1), Index(-1))
+                        : std::pair<Index, Index>(std::minmax({s.source(p.halfedge), s.target(p.halfedge)})));
+  }
+  std::vector<Index> vertices = insert_curves(root, s, {placed}).vertices.front();
+  Divided_edges on;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (ends[i].first >= 0)
+    {
+      on[ends[i]].emplace_back(distance(s.points[ends[i].first], s.points[vertices[i]]), vertices[i]);
+    }
+  return {std::move(vertices), std::move(on)};
+}
+
+// The vertices of an earlier curve, with those that now divide its edges.
+std::vector<Index> refine_loop(const std::vector<Index>& vertices, Divided_edges& on)
+{
+  std::vector<Index> path;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    const Index u = vertices[i], v = vertices[(i + 1) % vertices.size()];
+    path.push_back(u);
+    auto between = on.find(std::minmax({u, v}));
+    if (between == on.end()) { continue; }
+    std::sort(between->second.begin(), between->second.end());
+    std::vector<Index> added;
+    for (const auto& [d, w] : between->second) { added.push_back(w); }
+    if (u > v) { std::reverse(added.begin(), added.end()); }
+    path.insert(path.end(), added.begin(), added.end());
+  }
+  return path;
+}
+
+// Inserts the chosen loops one after another.
+void insert_loops(const Triangle_surface& root, const std::vector<Dual_loop>& loops, const Basis_options& options,
+                  Homology_basis& basis)
+{
+  Refined_surface& s = basis.surface;
+  for (const Dual_loop& loop : loops)
+  {
+    std::vector<Passing> crossings = Loop_transfer(root, s).transfer(loop.crossings);
+    if (options.tighten) { tighten_loop(s, crossings, options.tightening); }
+    Generator_curve curve;
+    auto [vertices, on] = insert_loop(root, s, place_loop(s, crossings));
+    curve.vertices = std::move(vertices);
+    for (Generator_curve& earlier : basis.loops) { earlier.vertices = refine_loop(earlier.vertices, on); }
+    curve.length_found = loop.length_found;
+    basis.loops.push_back(std::move(curve));
+  }
+  for (Generator_curve& c : basis.loops) { c.length = length(s, c.vertices); }
+}
+
 } // namespace
+
+} // namespace internal
 
 Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_options& options)
 {
@@ -168,76 +267,9 @@ Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_opt
   if (basis.genus == 0) { return basis; }
   const std::size_t wanted = 2 * static_cast<std::size_t>(basis.genus);
   std::vector<internal::Dual_loop> loops;
-  run(Stage::LONGITUDES, [&] {
-    // Meridians and longitudes are candidates too.
-    Generator_options pair_options;
-    pair_options.flow = false;
-    pair_options.solvers = options.solvers;
-    pair_options.tighten = options.tighten;
-    const Ordered_surface m = order_surface(root, pair_options, run_unwatched);
-    Generators pairs;
-    pairs.genus = basis.genus;
-    Stage_times ignored;
-    std::vector<std::vector<internal::Passing>> crossings;
-    internal::find_generators(root, m, pair_options, internal::Stage_runner{nullptr, ignored}, pairs, &crossings);
-    loops = internal::find_dual_loops(
-      root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96), wanted,
-      crossings, [&](double done) { run.progress(Stage::LONGITUDES, done); });
-  });
-  run(Stage::TIGHTEN, [&] {
-    for (std::size_t i = 0; i < loops.size() && options.tighten; ++i)
-    {
-      loops[i].length = tighten_loop(root, loops[i].crossings, options.tightening);
-      run.progress(Stage::TIGHTEN, (i + 1.) / loops.size());
-    }
-    loops = internal::choose_basis(std::move(loops), wanted);
-  });
-  run(Stage::INSERT, [&] {
-    Refined_surface& s = basis.surface;
-    for (const internal::Dual_loop& loop : loops)
-    {
-      Generator_curve curve;
-      std::vector<internal::Passing> crossings = Loop_transfer(root, s).transfer(loop.crossings);
-      if (options.tighten) { tighten_loop(s, crossings, options.tightening); }
-      const Surface_curve placed = place_loop(s, crossings);
-      // an edge of an earlier curve that this one crosses: the new vertex
-      std::map<std::pair<Index, Index>, Index> divided;
-      std::vector<std::pair<Index, Index>> ends;
-      for (const Curve_point& p : placed.points)
-      {
-        ends.emplace_back(p.is_vertex()
-                            ? std::make_pair(Index(-1), Index(-1))
-                            : std::pair<Index, Index>(std::minmax({s.source(p.halfedge), s.target(p.halfedge)})));
-      }
-      curve.vertices = insert_curves(root, s, {placed}).vertices.front();
-      std::map<std::pair<Index, Index>, std::vector<std::pair<double, Index>>> on;
-      for (std::size_t i = 0; i < ends.size(); ++i)
-        if (ends[i].first >= 0)
-        {
-          on[ends[i]].emplace_back(distance(s.points[ends[i].first], s.points[curve.vertices[i]]), curve.vertices[i]);
-        }
-      for (Generator_curve& earlier : basis.loops)
-      {
-        std::vector<Index> path;
-        for (std::size_t i = 0; i < earlier.vertices.size(); ++i)
-        {
-          const Index u = earlier.vertices[i], v = earlier.vertices[(i + 1) % earlier.vertices.size()];
-          path.push_back(u);
-          auto between = on.find(std::minmax({u, v}));
-          if (between == on.end()) { continue; }
-          std::sort(between->second.begin(), between->second.end());
-          std::vector<Index> added;
-          for (const auto& [d, w] : between->second) { added.push_back(w); }
-          if (u > v) { std::reverse(added.begin(), added.end()); }
-          path.insert(path.end(), added.begin(), added.end());
-        }
-        earlier.vertices = std::move(path);
-      }
-      curve.length_found = loop.length_found;
-      basis.loops.push_back(std::move(curve));
-    }
-    for (Generator_curve& c : basis.loops) { c.length = internal::length(s, c.vertices); }
-  });
+  run(Stage::LONGITUDES, [&] { loops = internal::find_candidates(root, basis.genus, options, run); });
+  run(Stage::TIGHTEN, [&] { loops = internal::tighten_and_choose(root, std::move(loops), wanted, options, run); });
+  run(Stage::INSERT, [&] { internal::insert_loops(root, loops, options, basis); });
   basis.smallest_angle_after = smallest_angle(basis.surface);
   return basis;
 }

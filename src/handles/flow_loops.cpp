@@ -10,16 +10,22 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <queue>
+#include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
 namespace internal {
 
-Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& faces, Index start, double reach,
-                        std::size_t most)
+namespace {
+
+// The faces within a distance of some others, sorted (Dijkstra 1959). Empty if there are more than `most`.
+std::vector<Index> find_faces_within(const Triangle_surface& s, const std::vector<Index>& faces, double reach,
+                                     std::size_t most)
 {
   const auto centre = [&](Index f) {
     const auto& t = s.triangles[f];
@@ -58,29 +64,99 @@ Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& fac
   }
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  Polygon_soup soup;
-  std::vector<Index> vertices;
-  for (Index f : chosen) { vertices.insert(vertices.end(), s.triangles[f].begin(), s.triangles[f].end()); }
+  return chosen;
+}
+
+// The place of an element in a sorted list.
+Index place_in(const std::vector<Index>& sorted, Index element)
+{
+  return static_cast<Index>(std::lower_bound(sorted.begin(), sorted.end(), element) - sorted.begin());
+}
+
+// Faces as a soup. Their vertices, sorted, are written to `vertices`.
+Polygon_soup make_soup(const Triangle_surface& s, const std::vector<Index>& faces, std::vector<Index>& vertices)
+{
+  for (Index f : faces) { vertices.insert(vertices.end(), s.triangles[f].begin(), s.triangles[f].end()); }
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  Polygon_soup soup;
   for (Index v : vertices) { soup.points.push_back(s.points[v]); }
-  for (Index f : chosen)
+  for (Index f : faces)
   {
     std::array<Index, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k)
-      corners[k] =
-        static_cast<Index>(std::lower_bound(vertices.begin(), vertices.end(), s.triangles[f][k]) - vertices.begin());
+    for (std::size_t k = 0; k < 3; ++k) { corners[k] = place_in(vertices, s.triangles[f][k]); }
     soup.add_polygon(corners.data(), 3);
   }
-  Examination examination = examine_surface(soup, true);
+  return soup;
+}
+
+// The face to the left of the way from a point of a polyline to the next; -1 if there is none.
+Index face_to_left(const Triangle_surface& s, const Curve_point& p, const Curve_point& q)
+{
+  const auto face_of = [&](Index along) { return along < 0 ? -1 : s.face(along); };
+  const auto is_end = [&](Index v, Index h) { return s.source(h) == v || s.target(h) == v; };
+  // along an edge
+  if (p.is_vertex() && q.is_vertex()) { return face_of(s.find_halfedge(p.vertex, q.vertex)); }
+  if (p.is_vertex() && is_end(p.vertex, q.halfedge))
+  {
+    return face_of(s.source(q.halfedge) == p.vertex ? q.halfedge : s.opposite[q.halfedge]);
+  }
+  if (q.is_vertex() && is_end(q.vertex, p.halfedge))
+  {
+    return face_of(s.target(p.halfedge) == q.vertex ? p.halfedge : s.opposite[p.halfedge]);
+  }
+  // through a face that holds both
+  const auto holds = [&](const Curve_point& x, Index f) {
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (x.is_vertex() ? s.source(h) == x.vertex : s.edge(h) == s.edge(x.halfedge)) { return true; }
+    }
+    return false;
+  };
+  const Curve_point& inner = p.is_vertex() ? q : p;
+  Index face = -1;
+  for (Index h : {inner.halfedge, s.opposite[inner.halfedge]})
+    if (h >= 0 && holds(p, s.face(h)) && holds(q, s.face(h))) { face = s.face(h); }
+  return face;
+}
+
+// Adds the crossings at a point of a polyline between the faces on its left, before and after. False if they would
+// leave the surface.
+bool pass_point(const Triangle_surface& s, const Curve_point& p, Index from, Index to, std::vector<Passing>& crossings)
+{
+  constexpr double beside = 0.02; // of an edge, from the vertex that is passed
+  if (from == to) { return true; }
+  if (!p.is_vertex())
+  {
+    for (Index h : {p.halfedge, s.opposite[p.halfedge]})
+      if (h >= 0 && s.face(h) == from) { crossings.push_back({h, h == p.halfedge ? p.t : 1 - p.t}); }
+    return true;
+  }
+  Index h = 3 * from; // clockwise around the vertex, which stays on the right
+  while (s.source(h) != p.vertex) { ++h; }
+  while (s.face(h) != to)
+  {
+    crossings.push_back({h, beside});
+    if (s.opposite[h] < 0) { return false; }
+    h = s.next(s.opposite[h]);
+    if (s.face(h) == from) { return false; }
+  }
+  return true;
+}
+
+} // namespace
+
+Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& faces, Index start, double reach,
+                        std::size_t most)
+{
+  const std::vector<Index> chosen = find_faces_within(s, faces, reach, most);
+  if (chosen.empty()) { return {}; }
+  std::vector<Index> vertices;
+  Examination examination = examine_surface(make_soup(s, chosen, vertices), true);
   Surface_patch patch;
   for (Surface_component& c : examination.components)
   {
-    if (!std::binary_search(c.triangle_of.begin(), c.triangle_of.end(),
-                            static_cast<Index>(std::lower_bound(chosen.begin(), chosen.end(), start) - chosen.begin())))
-    {
-      continue;
-    }
+    if (!std::binary_search(c.triangle_of.begin(), c.triangle_of.end(), place_in(chosen, start))) { continue; }
     const auto is_flipped = std::find(c.is_flipped.begin(), c.is_flipped.end(), 1) != c.is_flipped.end();
     if (is_flipped) { return {}; }
     patch.surface = std::move(c.surface);
@@ -100,65 +176,17 @@ Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& fac
 
 bool push_left(const Triangle_surface& s, const std::vector<Curve_point>& loop, std::vector<Passing>& crossings)
 {
-  constexpr double beside = 0.02; // of an edge, from the vertex that is passed
   const std::size_t n = loop.size();
-  const auto edge_of = [&](const Curve_point& p) { return s.edge(p.halfedge); };
-  const auto is_end = [&](Index v, Index h) { return s.source(h) == v || s.target(h) == v; };
   std::vector<Index> face(n); // to the left of the way from each point to the next
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Curve_point &p = loop[i], &q = loop[(i + 1) % n];
-    Index along = -1; // a halfedge in the direction of the way, if it runs along an edge
-    if (p.is_vertex() && q.is_vertex()) { along = s.find_halfedge(p.vertex, q.vertex); }
-    else if (p.is_vertex() && is_end(p.vertex, q.halfedge))
-    {
-      along = s.source(q.halfedge) == p.vertex ? q.halfedge : s.opposite[q.halfedge];
-    }
-    else if (q.is_vertex() && is_end(q.vertex, p.halfedge))
-    {
-      along = s.target(p.halfedge) == q.vertex ? p.halfedge : s.opposite[p.halfedge];
-    }
-    else
-    {
-      // Through a face that holds both.
-      face[i] = -1;
-      const auto holds = [&](const Curve_point& x, Index f) {
-        for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        {
-          if (x.is_vertex() ? s.source(h) == x.vertex : s.edge(h) == edge_of(x)) { return true; }
-        }
-        return false;
-      };
-      const Curve_point& inner = p.is_vertex() ? q : p;
-      for (Index h : {inner.halfedge, s.opposite[inner.halfedge]})
-        if (h >= 0 && holds(p, s.face(h)) && holds(q, s.face(h))) { face[i] = s.face(h); }
-      if (face[i] < 0) { return false; }
-      continue;
-    }
-    if (along < 0) { return false; }
-    face[i] = s.face(along);
+    face[i] = face_to_left(s, loop[i], loop[(i + 1) % n]);
+    if (face[i] < 0) { return false; }
   }
   crossings.clear();
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Index from = face[(i + n - 1) % n], to = face[i];
-    if (from == to) { continue; }
-    const Curve_point& p = loop[i];
-    if (!p.is_vertex())
-    {
-      for (Index h : {p.halfedge, s.opposite[p.halfedge]})
-        if (h >= 0 && s.face(h) == from) { crossings.push_back({h, h == p.halfedge ? p.t : 1 - p.t}); }
-      continue;
-    }
-    Index h = 3 * from; // clockwise around the vertex, which stays on the right
-    while (s.source(h) != p.vertex) { ++h; }
-    while (s.face(h) != to)
-    {
-      crossings.push_back({h, beside});
-      if (s.opposite[h] < 0) { return false; }
-      h = s.next(s.opposite[h]);
-      if (s.face(h) == from) { return false; }
-    }
+    if (!pass_point(s, loop[i], face[(i + n - 1) % n], face[i], crossings)) { return false; }
   }
   return true;
 }

@@ -4,18 +4,17 @@
 #include <meridian/handles/internal/tree_cotree.h>
 #include <meridian/surface/root_edges.h>
 
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
-#include <boost/geometry.hpp>
-#include <boost/geometry/geometries/box.hpp>
-#include <boost/geometry/geometries/point.hpp>
-#include <boost/geometry/index/rtree.hpp>
+#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <initializer_list>
-#include <iterator>
 #include <map>
-#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -96,78 +95,136 @@ int Exact_signs::enclosed() const
   return exact > 0 ? 1 : exact < 0 ? -1 : 0;
 }
 
+namespace {
+
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Index>;
+
+// The box of some vertices in the projection.
+Box box_of(const Triangle_surface& s, std::initializer_list<Index> vertices, Index info)
+{
+  CGAL::Bbox_2 box;
+  for (Index v : vertices) { box += CGAL::Bbox_2(s.points[v][0], s.points[v][1], s.points[v][0], s.points[v][1]); }
+  return Box(box, info);
+}
+
+Weighted_point vertex_point(Index v) { return {v, v, v, v, v, v}; }
+
+// Counts by edge how a loop through faces that crosses the edge passes over walks, seen in the projection.
+class Linking_count
+{
+public:
+  Linking_count(const Triangle_surface& s, const Exact_signs& signs, const std::vector<std::vector<Index>>& walks)
+    : m_surface(s), m_signs(signs), m_linked(walks.size()), m_crossed(walks.size())
+  {
+    for (std::size_t i = 0; i < walks.size(); ++i)
+    {
+      for (Index h : walks[i]) { m_steps.push_back({i, h}); }
+    }
+  }
+
+  // False if something touches that should not.
+  bool count()
+  {
+    for (const Step& step : m_steps)
+    {
+      if (!count_at(step)) { return false; }
+    }
+    std::vector<Box> edges, faces;
+    for (std::size_t i = 0; i < m_steps.size(); ++i)
+    {
+      const Index h = m_steps[i].halfedge;
+      edges.push_back(box_of(m_surface, {m_surface.source(h), m_surface.target(h)}, static_cast<Index>(i)));
+    }
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+    {
+      const auto& t = m_surface.triangles[f];
+      faces.push_back(box_of(m_surface, {t[0], t[1], t[2]}, f));
+    }
+    // The pairs come in no order that means anything; the counts are sums.
+    bool is_good = true;
+    CGAL::box_intersection_d(
+      edges.begin(), edges.end(), faces.begin(), faces.end(),
+      [&](const Box& edge, const Box& face) { is_good = is_good && count_over(m_steps[edge.info()], face.info()); });
+    return is_good;
+  }
+
+  // For walk `i`, what a loop counts that crosses an edge from the face of its halfedge: over the walk, and across it.
+  const std::map<Index, int>& linked(std::size_t i) const { return m_linked[i]; }
+  const std::map<Index, int>& crossed(std::size_t i) const { return m_crossed[i]; }
+
+private:
+  struct Step
+  {
+    std::size_t walk;
+    Index halfedge;
+  };
+
+  // Where a loop crosses the walk itself, pushed along the normals. Seen in the projection, it passes over the edge from
+  // left to right, or it stays on one side of it and goes round it only where the surface folds away from the edge.
+  bool count_at(const Step& step)
+  {
+    const Index e = step.halfedge, own = m_surface.edge(e), o = m_surface.opposite[e];
+    const Weighted_point a = vertex_point(m_surface.source(e)), b = vertex_point(m_surface.target(e));
+    m_crossed[step.walk][own] += own == e ? 1 : -1;
+    const Weighted_point left_apex = vertex_point(m_surface.apex(e)), right_apex = vertex_point(m_surface.apex(o));
+    const int left_up = m_signs.side(a, b, left_apex), right_up = -m_signs.side(a, b, right_apex);
+    const int fold = m_signs.volume(a, b, a, left_apex, right_apex);
+    if (left_up == 0 || right_up == 0 || (left_up != right_up && fold == 0)) { return false; }
+    if (left_up == right_up ? left_up > 0 : fold < 0) { m_linked[step.walk][own] += own == e ? -1 : 1; }
+    return true;
+  }
+
+  // Where a loop in a face passes over an edge of a walk elsewhere.
+  bool count_over(const Step& step, Index f)
+  {
+    const Triangle_surface& s = m_surface;
+    const Index e = step.halfedge;
+    const Weighted_point a = vertex_point(s.source(e)), b = vertex_point(s.target(e));
+    const auto left = [&](const Weighted_point& from, const Weighted_point& to, const Weighted_point& q) {
+      return m_signs.side(from, to, q) >= 0;
+    };
+    const auto& t = s.triangles[f];
+    const Weighted_point centre{t[0], t[0], t[1], t[1], t[2], t[2]};
+    const bool centre_left = left(a, b, centre);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (s.edge(h) == s.edge(e)) { continue; }
+      // the same from both faces
+      const Index u = std::min(s.source(h), s.target(h)), v = std::max(s.source(h), s.target(h));
+      const Weighted_point middle{u, u, u, v, v, v};
+      const bool middle_left = left(a, b, middle);
+      if (middle_left == centre_left || left(centre, middle, a) == left(centre, middle, b)) { continue; }
+      const int turn = middle_left ? 1 : -1; // from the centre outwards
+      const int height = m_signs.volume(a, b, centre, middle, centre);
+      if (height == 0) { return false; }
+      if (height * turn > 0) { m_linked[step.walk][s.edge(h)] += s.edge(h) == h ? turn : -turn; }
+    }
+    return true;
+  }
+
+  const Triangle_surface& m_surface;
+  const Exact_signs& m_signs;
+  std::vector<Step> m_steps; // of all walks
+  std::vector<std::map<Index, int>> m_linked, m_crossed;
+};
+
+} // namespace
+
 std::vector<Sides> find_bounding_sides(const Triangle_surface& s, const std::vector<std::vector<Index>>& walks)
 {
   const CGAL::Interval_nt<false>::Protector rounding;
   const Exact_signs signs(s);
   const int orientation = signs.enclosed();
   if (orientation == 0) { return {}; }
-  namespace geometry = boost::geometry;
-  using Planar_point = geometry::model::point<double, 2, geometry::cs::cartesian>;
-  using Box = geometry::model::box<Planar_point>;
-  std::vector<std::pair<Box, Index>> boxes;
-  const auto box = [&](std::initializer_list<Index> vertices) {
-    Box b;
-    geometry::assign_inverse(b);
-    for (Index v : vertices) { geometry::expand(b, Planar_point(s.points[v][0], s.points[v][1])); }
-    return b;
-  };
-  for (Index f = 0; f < s.number_of_faces(); ++f)
-  {
-    const auto& t = s.triangles[f];
-    boxes.emplace_back(box({t[0], t[1], t[2]}), f);
-  }
-  const geometry::index::rtree<std::pair<Box, Index>, geometry::index::rstar<16>> tree(boxes);
+  Linking_count count(s, signs, walks);
+  if (!count.count()) { return {}; }
   const Tree_cotree trees(s);
-
-  const auto vertex = [](Index v) { return Weighted_point{v, v, v, v, v, v}; };
-  const auto left = [&](const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) {
-    return signs.side(a, b, q) >= 0;
-  };
   std::vector<Sides> result;
-  std::vector<std::pair<Box, Index>> near;
-  for (const auto& walk : walks)
+  for (std::size_t walk = 0; walk < walks.size(); ++walk)
   {
-    std::map<Index, int> linked, crossed; // by edge: what a loop counts that crosses it from the face of the halfedge
-    for (Index e : walk)
-    {
-      const Weighted_point a = vertex(s.source(e)), b = vertex(s.target(e));
-      const Index own = s.edge(e);
-      crossed[own] += own == e ? 1 : -1;
-      // Where a loop crosses the walk itself, pushed along the normals. Seen in the projection, it passes over the edge
-      // from left to right, or it stays on one side of it and goes round it only where the surface folds away from the
-      // edge.
-      const Index o = s.opposite[e];
-      const int left_up = signs.side(a, b, vertex(s.apex(e))), right_up = -signs.side(a, b, vertex(s.apex(o)));
-      const int fold = signs.volume(a, b, a, vertex(s.apex(e)), vertex(s.apex(o)));
-      if (left_up == 0 || right_up == 0 || (left_up != right_up && fold == 0)) { return {}; }
-      if (left_up == right_up ? left_up > 0 : fold < 0) { linked[own] += own == e ? -1 : 1; }
-      // Everything else that passes over the edge.
-      near.clear();
-      tree.query(geometry::index::intersects(box({s.source(e), s.target(e)})), std::back_inserter(near));
-      for (const auto& [ignored, f] : near)
-      {
-        const auto& t = s.triangles[f];
-        const Weighted_point centre{t[0], t[0], t[1], t[1], t[2], t[2]};
-        const bool centre_left = left(a, b, centre);
-        for (Index h = 3 * f; h < 3 * f + 3; ++h)
-        {
-          if (s.edge(h) == own) { continue; }
-          // the same from both faces
-          const Index u = std::min(s.source(h), s.target(h)), v = std::max(s.source(h), s.target(h));
-          const Weighted_point middle{u, u, u, v, v, v};
-          const bool middle_left = left(a, b, middle);
-          if (middle_left == centre_left || left(centre, middle, a) == left(centre, middle, b)) { continue; }
-          const int turn = middle_left ? 1 : -1; // from the centre outwards
-          const int height = signs.volume(a, b, centre, middle, centre);
-          if (height == 0) { return {}; }
-          if (height * turn > 0) { linked[s.edge(h)] += s.edge(h) == h ? turn : -turn; }
-        }
-      }
-    }
     // Pushed along the normals, the loops lie on their side, and the walk bounds on the other if it is not linked with
     // any.
-    const std::vector<int> above = trees.integrate(linked), across = trees.integrate(crossed);
+    const std::vector<int> above = trees.integrate(count.linked(walk)), across = trees.integrate(count.crossed(walk));
     bool bounds_below = true, bounds_above = true;
     for (std::size_t i = 0; i < above.size(); ++i)
     {

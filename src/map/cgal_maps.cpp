@@ -3,6 +3,19 @@
 
 #include <meridian/map/planar_map.h>
 
+#include <CGAL/Eigen_solver_traits.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/parameterize.h>
+
 #include <cmath>
 #include <utility>
 
@@ -10,6 +23,9 @@ namespace meridian {
 
 namespace internal {
 
+namespace {
+
+// The messages of CGAL 5.5 belong to other codes from the fourth on.
 std::string explain_error(CGAL::Surface_mesh_parameterization::Error_code code)
 {
   namespace SMP = CGAL::Surface_mesh_parameterization;
@@ -28,6 +44,8 @@ std::string explain_error(CGAL::Surface_mesh_parameterization::Error_code code)
   }
   return "CGAL's error " + std::to_string(code);
 }
+
+} // namespace
 
 std::string map_with_cgal(const Triangle_surface& disc, Map_method method, bool in_square, std::vector<Plane_point>& at)
 {

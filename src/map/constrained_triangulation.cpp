@@ -84,12 +84,12 @@ std::vector<std::array<Index, 3>> triangulate_outside(const std::vector<Index>& 
   return triangles;
 }
 
-std::vector<std::array<Index, 2>> constrained_delaunay_edges(const std::vector<std::vector<Index>>& polygons,
+std::vector<std::array<Index, 2>> constrained_delaunay_edges(const std::vector<Index>& vertices,
+                                                             const std::vector<std::vector<Index>>& polygons,
                                                              const std::vector<Plane_point>& at)
 {
   std::vector<std::pair<Kernel::Point_2, Index>> points;
-  for (const auto& polygon : polygons)
-    for (Index v : polygon) { points.emplace_back(Kernel::Point_2(at[v][0], at[v][1]), v); }
+  for (Index v : vertices) { points.emplace_back(Kernel::Point_2(at[v][0], at[v][1]), v); }
   Triangulation t;
   t.insert(points.begin(), points.end());
   if (t.number_of_vertices() != points.size()) { return {}; }

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/map/pack_charts.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <meridian/map/planar_map.h>
-
-#include <CGAL/convex_hull_2.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -22,23 +17,20 @@ namespace {
 // hull.
 Plane_point upright_direction(const std::vector<Plane_point>& at)
 {
-  using Hull_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  std::vector<Hull_point> points, hull;
-  for (const Plane_point& p : at) { points.emplace_back(p[0], p[1]); }
-  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+  const std::vector<Plane_point> hull = convex_hull(at);
   Plane_point best{1, 0};
   double least = std::numeric_limits<double>::infinity();
   const std::size_t n = hull.size(), stride = n / 256 + 1; // a round chart has many sides that are all alike
   for (std::size_t i = 0; i < n; i += stride)
   {
-    const Plane_point side{hull[(i + 1) % n].x() - hull[i].x(), hull[(i + 1) % n].y() - hull[i].y()};
+    const Plane_point side = hull[(i + 1) % n] - hull[i];
     const double length = norm(side);
     if (!(length > 0)) { continue; }
     const Plane_point d = (1 / length) * side;
     std::array<double, 2> low{0, 0}, high{0, 0};
-    for (const Hull_point& q : hull)
+    for (const Plane_point& q : hull)
     {
-      const Plane_point p{q.x() - hull[i].x(), q.y() - hull[i].y()};
+      const Plane_point p = q - hull[i];
       const std::array<double, 2> turned{dot(p, d), cross(d, p)};
       for (int k = 0; k < 2; ++k)
       {

@@ -2,12 +2,21 @@
 #include <meridian/map/planar_map.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_2_algorithms.h>
+#include <CGAL/convex_hull_2.h>
+
+#include <iterator>
 
 namespace meridian {
 
+namespace {
+
+using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+
+} // namespace
+
 int orientation_of(const Plane_point& a, const Plane_point& b, const Plane_point& c)
 {
-  using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
   return CGAL::orientation(Point_2(a[0], a[1]), Point_2(b[0], b[1]), Point_2(c[0], c[1]));
 }
 
@@ -28,6 +37,23 @@ double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::ve
   double sum = 0;
   for (const auto& t : triangles) { sum += cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]) / 2; }
   return sum;
+}
+
+bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at)
+{
+  std::vector<Point_2> polygon;
+  for (Index v : loop) { polygon.emplace_back(at[v][0], at[v][1]); }
+  return CGAL::is_simple_2(polygon.begin(), polygon.end());
+}
+
+std::vector<Plane_point> convex_hull(const std::vector<Plane_point>& points)
+{
+  std::vector<Point_2> all, corners;
+  for (const Plane_point& p : points) { all.emplace_back(p[0], p[1]); }
+  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(corners));
+  std::vector<Plane_point> hull;
+  for (const Point_2& p : corners) { hull.push_back({p.x(), p.y()}); }
+  return hull;
 }
 
 } // namespace meridian

@@ -4,6 +4,7 @@
 #include "embed.h"
 
 #include <meridian/base/vectors.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/surface/Refined_surface.h>
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #ifndef MERIDIAN_PAGE_FORMAT_PAGE_H
 #define MERIDIAN_PAGE_FORMAT_PAGE_H
 
-#include <meridian/result/Assembled_result.h>
 #include <meridian/base/vectors.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
 

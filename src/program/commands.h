@@ -4,9 +4,14 @@
 
 #include <meridian/base/vectors.h>
 
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace meridian {
 namespace program {
@@ -94,13 +99,21 @@ struct Verify_arguments : Common_arguments
   std::string mesh, result;
 };
 
-int run_info(const Info_arguments& arguments);
-int run_cut(const Cut_arguments& arguments);
-int run_family(const Cut_arguments& arguments);
-int run_unwrap(const Unwrap_arguments& arguments);
-int run_compare(const Compare_arguments& arguments);
-int run_generators(const Generator_arguments& arguments);
-int run_verify(const Verify_arguments& arguments);
+// A command as it was added to the parser, and what it does once its options are parsed.
+struct Command
+{
+  const CLI::App* parser;
+  std::function<int()> run; // returns the exit status
+};
+
+Command add_info(CLI::App& app);
+Command add_cut(CLI::App& app);
+Command add_unwrap(CLI::App& app);
+Command add_compare(CLI::App& app);
+Command add_generators(CLI::App& app);
+Command add_verify(CLI::App& app);
+
+int run_family(const Cut_arguments& arguments); // of `cut`
 
 // From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and
 // takes what it has written with it. Until then signals end the program at once, so that a read that blocks can be

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut.h"
 #include "files/read_result.h"
+#include "options.h"
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Verification.h>
@@ -15,6 +16,7 @@
 #include <meridian/unwrap/cut_family.h>
 
 #include <iostream>
+#include <memory>
 
 namespace meridian {
 namespace program {
@@ -71,8 +73,6 @@ Json report_distortion(const Distortion& d, Index flipped)
           {"conformal", d.conformal},
           {"areal", d.areal}};
 }
-
-} // namespace
 
 int run_compare(const Compare_arguments& arguments)
 {
@@ -131,6 +131,28 @@ int run_compare(const Compare_arguments& arguments)
   }
   for (const std::string& failure : failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }
   return failures.empty() ? VERIFIED : NOT_VERIFIED;
+}
+
+} // namespace
+
+Command add_compare(CLI::App& app)
+{
+  const auto a = std::make_shared<Compare_arguments>();
+  CLI::App* command = app.add_subcommand(
+    "compare", "compare the maps into the plane that two cuts of a mesh lead to, and bound their variation from below");
+  command->add_option("MESH", a->mesh, "the mesh file")->required();
+  command
+    ->add_option("--cut", a->cuts,
+                 "a result of `cut` or `unwrap`, or the number of a member of the family (0 to 999); given twice")
+    ->required()
+    ->expected(2)
+    ->type_name("CUT");
+  command->add_option("--weights", a->weights, "of the linear map into a circle")
+    ->check(CLI::IsMember({"uniform", "positive", "cotangent"}))
+    ->capture_default_str();
+  command->add_flag("--repair", a->repair, repair_help);
+  add_common_options(*command, *a);
+  return {command, [a] { return run_compare(*a); }};
 }
 
 } // namespace program

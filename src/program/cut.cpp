@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut.h"
 
+#include "end_run.h"
 #include "files/write_mesh.h"
+#include "options.h"
 #include "page/format_page.h"
 
 #include <meridian/base/Progress_observer.h>
@@ -9,13 +11,12 @@
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
-#include <meridian/curves/Normal_curves.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/cut/join_generators.h>
-#include <meridian/field/Sparse_solver.h>
 #include <meridian/proof/verify_cut.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/result/assemble_result.h>
 #include <meridian/result/name_curves.h>
 #include <meridian/result/recount.h>
@@ -24,6 +25,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 namespace meridian {
@@ -249,29 +251,42 @@ int run_cut(const Cut_arguments& arguments)
   files::Output_files out;
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   if (verification) { add_cut(out, arguments, loaded, result); }
-  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
-  out.commit();
-  terminal.clear();
+  Last_words words{examination.repairs, {}, ""};
+  for (std::size_t i = 0; i < result.cuts.size(); ++i)
+    if (!result.cuts[i].link_note.empty())
+    {
+      words.notes.push_back("component " + std::to_string(i) + ": links run on the surface, because "
+                            + result.cuts[i].link_note);
+    }
+  std::ostringstream summary;
+  summary << result.cuts.size() << (result.cuts.size() == 1 ? " component" : " components") << " (genus "
+          << result.genus << ", boundary loops " << result.loops << "), each "
+          << (verification ? "now a disc" : "expected to be a disc") << "; cut length " << result.length;
+  words.summary = summary.str();
+  return end_run(arguments, verification, out, terminal, words);
+}
 
-  for (const std::string& failure : verification.failures)
-  {
-    std::cerr << "meridian: not verified: " << failure << '\n';
-  }
-  if (!arguments.quiet)
-  {
-    for (const std::string& repair : examination.repairs) { std::cout << "note: " << repair << '\n'; }
-    for (std::size_t i = 0; i < result.cuts.size(); ++i)
-      if (!result.cuts[i].link_note.empty())
-      {
-        std::cout << "note: component " << i << ": links run on the surface, because " << result.cuts[i].link_note
-                  << '\n';
-      }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ")
-              << result.cuts.size() << (result.cuts.size() == 1 ? " component" : " components") << " (genus "
-              << result.genus << ", boundary loops " << result.loops << "), each "
-              << (verification ? "now a disc" : "expected to be a disc") << "; cut length " << result.length << '\n';
-  }
-  return verification ? VERIFIED : NOT_VERIFIED;
+Command add_cut(CLI::App& app)
+{
+  const auto a = std::make_shared<Cut_arguments>();
+  CLI::App* command = app.add_subcommand("cut", "open a mesh into a disc, one for each component, along a cut graph");
+  command->add_option("MESH", a->mesh, "the mesh file")->required();
+  command
+    ->add_option("-o,--output", a->out,
+                 "the opened mesh: OFF, OBJ, PLY or VTP; its map back to MESH is written beside it")
+    ->required()
+    ->type_name("OUT");
+  add_cut_options(*command, *a);
+  command
+    ->add_option("--family", a->family,
+                 "find N different cuts: fields, preferences, levels and methods change. They are written to OUT with "
+                 "a number before its ending")
+    ->check(CLI::Range(1, 1000000000))
+    ->type_name("N");
+  return {command, [a, command] {
+            note_cut_options(*command, *a);
+            return a->family > 0 ? run_family(*a) : run_cut(*a);
+          }};
 }
 
 } // namespace program

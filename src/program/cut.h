@@ -12,6 +12,7 @@
 #include <meridian/base/Verification.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/result/name_curves.h>
 
 #include <functional>

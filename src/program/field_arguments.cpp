@@ -4,7 +4,6 @@
 #include "files/read_values.h"
 #include "files/write_mesh.h"
 
-#include <meridian/base/Stage_runner.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
 #include <meridian/field/Field.h>
@@ -102,20 +101,15 @@ std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_
   return found;
 }
 
-void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place, Field_options& field,
-                       Preference& preference, Levels& levels)
+namespace {
+
+// The extrema that options name lie on different places of the component.
+void check_extrema(const Field_options& field, const Surface_component& c, std::size_t place)
 {
-  const Surface_component& c = loaded.examination.components[place];
-  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT, Weights::INTRINSIC_DELAUNAY})
-  {
-    if (a.weights == name_of(w)) { field.weights = w; }
-  }
-  field.minima = find_local(a.minima, c);
-  field.maxima = find_local(a.maxima, c);
-  if (c.genus() > 0 && field.minima.empty() != field.maxima.empty())
+  if (field.minima.empty() != field.maxima.empty())
     throw Usage_error("--minimum and --maximum go together: component " + std::to_string(place)
                       + " has one of them and needs the other");
-  if (c.genus() > 0 && !field.minima.empty())
+  if (!field.minima.empty())
   {
     const Closed_model g = make_closed_model(c.surface);
     for (Index v : field.minima)
@@ -126,44 +120,66 @@ void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std:
             + (v == w ? " are one vertex" : " lie on one boundary loop, which is one place of the field")
             + "; choose them apart");
   }
-  const auto local = [&](const std::vector<double>& values) { // of the file's vertices, for those of the component
-    std::vector<double> own;
-    for (Index v : c.vertex_of)
-    {
-      const std::size_t n = values.size(), i = static_cast<std::size_t>(v);
-      own.push_back(values[i < n ? i : static_cast<std::size_t>(loaded.examination.added_vertex_of[i - n])]);
-    }
-    return own;
-  };
-  if (c.genus() > 0)
+}
+
+// Values of the file's vertices, for those of a component.
+std::vector<double> local_values(const std::vector<double>& values, const Loaded_mesh& loaded,
+                                 const Surface_component& c)
+{
+  std::vector<double> own;
+  for (Index v : c.vertex_of)
   {
-    if (!a.values.empty()) { field.values = local(loaded.values); }
-    else if (a.field == "eigenfunction")
-    {
-      const int i = a.eigenfunction > 0 ? a.eigenfunction : c.genus() + 1;
-      field.values_name = "eigenfunction " + std::to_string(i);
-      field.values = eigenfunction_field(c.surface, i, field.weights);
-    }
-    else if (a.field == "distance")
-    {
-      const auto from = a.has_from ? find_local({a.from}, c) : std::vector<Index>();
-      const Closed_model g = make_closed_model(c.surface);
-      field.values_name = "distance";
-      field.values = geodesic_distance(
-        c.surface, {from.empty() ? g.representative[find_distant_nodes(c.surface, g).first] : from.front()});
-    }
-    else if (a.extrema == "curved")
-    {
-      const auto [low, high] = find_curved_vertices(c.surface, 4, field.weights);
-      field.minima = {low};
-      field.maxima = {high};
-    }
+    const std::size_t n = values.size(), i = static_cast<std::size_t>(v);
+    own.push_back(values[i < n ? i : static_cast<std::size_t>(loaded.examination.added_vertex_of[i - n])]);
   }
+  return own;
+}
+
+// The field that options ask for, if it is not harmonic between extrema that are far apart or named.
+void solve_field(const Field_arguments& a, const Loaded_mesh& loaded, const Surface_component& c, Field_options& field)
+{
+  if (!a.values.empty()) { field.values = local_values(loaded.values, loaded, c); }
+  else if (a.field == "eigenfunction")
+  {
+    const int i = a.eigenfunction > 0 ? a.eigenfunction : c.genus() + 1;
+    field.values_name = "eigenfunction " + std::to_string(i);
+    field.values = eigenfunction_field(c.surface, i, field.weights);
+  }
+  else if (a.field == "distance")
+  {
+    const auto from = a.has_from ? find_local({a.from}, c) : std::vector<Index>();
+    const Closed_model g = make_closed_model(c.surface);
+    field.values_name = "distance";
+    field.values = geodesic_distance(
+      c.surface, {from.empty() ? g.representative[find_distant_nodes(c.surface, g).first] : from.front()});
+  }
+  else if (a.extrema == "curved")
+  {
+    const auto [low, high] = find_curved_vertices(c.surface, 4, field.weights);
+    field.minima = {low};
+    field.maxima = {high};
+  }
+}
+
+} // namespace
+
+void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place, Field_options& field,
+                       Preference& preference, Levels& levels)
+{
+  const Surface_component& c = loaded.examination.components[place];
+  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT, Weights::INTRINSIC_DELAUNAY})
+  {
+    if (a.weights == name_of(w)) { field.weights = w; }
+  }
+  field.minima = find_local(a.minima, c);
+  field.maxima = find_local(a.maxima, c);
+  if (c.genus() > 0) { check_extrema(field, c, place); }
+  if (c.genus() > 0) { solve_field(a, loaded, c, field); }
   const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
   const Point direction{a.direction[0] / far, a.direction[1] / far, a.direction[2] / far};
   if (a.levels == "tight") { levels = Levels::TIGHT; }
   if (a.prefer == "hidden") { preference = preference::low_weight(visibility(c.surface, direction)); }
-  if (a.prefer == "weights") { preference = preference::low_weight(local(loaded.vertex_weights)); }
+  if (a.prefer == "weights") { preference = preference::low_weight(local_values(loaded.vertex_weights, loaded, c)); }
   if (a.prefer == "mean-curvature") { preference = preference::mean_curvature; }
   if (a.prefer == "length") { preference = preference::short_length; }
   if (a.prefer == "position") { preference = preference::position(direction); }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Terminal.h"
+#include "end_run.h"
 #include "field_arguments.h"
 #include "files/Output_files.h"
 #include "files/write_mesh.h"
+#include "options.h"
 #include "page/format_page.h"
 #include "report.h"
 
@@ -17,6 +19,7 @@
 #include <meridian/handles/find_generators.h>
 #include <meridian/handles/find_shortest_basis.h>
 #include <meridian/proof/verify_generators.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/result/assemble_result.h>
 #include <meridian/result/name_curves.h>
 #include <meridian/result/recount.h>
@@ -24,6 +27,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 namespace meridian {
@@ -56,6 +60,8 @@ struct Outcome
   std::vector<std::vector<Point>> lines; // of the complex
   Generator_verification verification;
   double seconds_verifying = 0;
+  Json components = Json::array();
+  std::string summary, view;
 };
 
 template <class Curves>
@@ -139,7 +145,74 @@ std::string format_view(const std::string& title, const Examination& examination
                            assembled);
 }
 
-} // namespace
+// Finds pairs on every component.
+Outcome find_pairs(const Generator_arguments& arguments, const Loaded_mesh& loaded, Terminal& terminal)
+{
+  const Examination& examination = loaded.examination;
+  std::vector<Generator_options> options;
+  for (std::size_t i = 0; i < examination.components.size(); ++i)
+  {
+    options.push_back(options_for(arguments, loaded, i));
+    options.back().observer = &terminal;
+  }
+  std::vector<Generators> all;
+  for (std::size_t i = 0; i < examination.components.size(); ++i)
+  {
+    terminal.begin_component(i, examination.components.size());
+    all.push_back(find_generators(examination.components[i].surface, options[i]));
+    classify_generators(examination.components[i].surface, all.back(), &terminal);
+  }
+  Outcome outcome = conclude(loaded.soup, examination, all, terminal);
+  int handles = 0;
+  double meridians = 0, longitudes = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    outcome.components.push_back(
+      report_generators(all[i], examination.components[i], outcome.verification.curves[i], options[i], handles));
+    handles += all[i].genus;
+    for (const Generator_pair& pair : all[i].pairs)
+    {
+      meridians += examination.components[i].unit * pair.meridian.length;
+      longitudes += examination.components[i].unit * pair.longitude.length;
+    }
+    for (const auto& line : all[i].complex_lines) { outcome.lines.push_back(in_file(examination.components[i], line)); }
+  }
+  std::ostringstream text;
+  text << handles << (handles == 1 ? " handle" : " handles") << ", meridians " << meridians << ", longitudes "
+       << longitudes;
+  outcome.summary = text.str();
+  if (!arguments.view.empty()) { outcome.view = format_view(arguments.mesh, examination, all, outcome.assembled); }
+  return outcome;
+}
+
+// Finds short loops on every component.
+Outcome find_loops(const Generator_arguments& arguments, const Loaded_mesh& loaded, Terminal& terminal)
+{
+  const Examination& examination = loaded.examination;
+  std::vector<Homology_basis> all;
+  for (std::size_t i = 0; i < examination.components.size(); ++i)
+  {
+    terminal.begin_component(i, examination.components.size());
+    Basis_options options;
+    options.tighten = !arguments.no_tighten;
+    options.observer = &terminal;
+    all.push_back(find_shortest_basis(examination.components[i].surface, options));
+  }
+  Outcome outcome = conclude(loaded.soup, examination, all, terminal);
+  std::size_t loops = 0;
+  double length = 0;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    outcome.components.push_back(report_basis(all[i], examination.components[i], outcome.verification.curves[i]));
+    loops += all[i].loops.size();
+    for (const Generator_curve& loop : all[i].loops) { length += examination.components[i].unit * loop.length; }
+  }
+  std::ostringstream text;
+  text << loops << " loops, length " << length;
+  outcome.summary = text.str();
+  if (!arguments.view.empty()) { outcome.view = format_view(arguments.mesh, examination, all, outcome.assembled); }
+  return outcome;
+}
 
 int run_generators(const Generator_arguments& arguments)
 {
@@ -150,81 +223,14 @@ int run_generators(const Generator_arguments& arguments)
   check_arguments(arguments);
   Terminal terminal(arguments.quiet);
   const Loaded_mesh loaded = load_mesh(arguments);
-  const Polygon_soup& soup = loaded.soup;
   const Examination& examination = loaded.examination;
-  Json components = Json::array();
-  Outcome outcome;
-  std::string summary, view;
-  double length = 0;
-  if (arguments.basis == "pairs")
-  {
-    std::vector<Generator_options> options;
-    for (std::size_t i = 0; i < examination.components.size(); ++i)
-    {
-      options.push_back(options_for(arguments, loaded, i));
-      options.back().observer = &terminal;
-    }
-    std::vector<Generators> all;
-    for (std::size_t i = 0; i < examination.components.size(); ++i)
-    {
-      terminal.begin_component(i, examination.components.size());
-      all.push_back(find_generators(examination.components[i].surface, options[i]));
-      classify_generators(examination.components[i].surface, all.back(), &terminal);
-    }
-    outcome = conclude(soup, examination, all, terminal);
-    int handles = 0;
-    double longitudes = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      components.push_back(
-        report_generators(all[i], examination.components[i], outcome.verification.curves[i], options[i], handles));
-      handles += all[i].genus;
-      for (const Generator_pair& pair : all[i].pairs)
-      {
-        length += examination.components[i].unit * pair.meridian.length;
-        longitudes += examination.components[i].unit * pair.longitude.length;
-      }
-    }
-    std::ostringstream text;
-    text << handles << (handles == 1 ? " handle" : " handles") << ", meridians " << length << ", longitudes "
-         << longitudes;
-    summary = text.str();
-    if (!arguments.view.empty()) { view = format_view(arguments.mesh, examination, all, outcome.assembled); }
-    for (std::size_t i = 0; i < all.size(); ++i)
-      for (const auto& line : all[i].complex_lines)
-      {
-        outcome.lines.push_back(in_file(examination.components[i], line));
-      }
-  }
-  else
-  {
-    std::vector<Homology_basis> all;
-    for (std::size_t i = 0; i < examination.components.size(); ++i)
-    {
-      terminal.begin_component(i, examination.components.size());
-      Basis_options options;
-      options.tighten = !arguments.no_tighten;
-      options.observer = &terminal;
-      all.push_back(find_shortest_basis(examination.components[i].surface, options));
-    }
-    outcome = conclude(soup, examination, all, terminal);
-    std::size_t loops = 0;
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      components.push_back(report_basis(all[i], examination.components[i], outcome.verification.curves[i]));
-      loops += all[i].loops.size();
-      for (const Generator_curve& loop : all[i].loops) { length += examination.components[i].unit * loop.length; }
-    }
-    std::ostringstream text;
-    text << loops << " loops, length " << length;
-    summary = text.str();
-    if (!arguments.view.empty()) { view = format_view(arguments.mesh, examination, all, outcome.assembled); }
-  }
+  const Outcome outcome =
+    arguments.basis == "pairs" ? find_pairs(arguments, loaded, terminal) : find_loops(arguments, loaded, terminal);
   const Generator_verification& verification = outcome.verification;
   const Json report{
     {"meridian", MERIDIAN_VERSION},
-    {"input", report_input(arguments.mesh, soup, examination)},
-    {"components", components},
+    {"input", report_input(arguments.mesh, loaded.soup, examination)},
+    {"components", outcome.components},
     {"seconds",
      {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}, {"verify", outcome.seconds_verifying}}},
     {"failures", verification.failures},
@@ -238,24 +244,53 @@ int run_generators(const Generator_arguments& arguments)
     out.add(files::map_path(arguments.out),
             files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, outcome.curves));
     if (!arguments.curves.empty()) { out.add(arguments.curves, format_curves(outcome)); }
-    if (!arguments.view.empty()) { out.add(arguments.view, view); }
+    if (!arguments.view.empty()) { out.add(arguments.view, outcome.view); }
   }
-  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
-  out.commit();
-  terminal.clear();
+  const std::string number = std::to_string(examination.components.size());
+  return end_run(
+    arguments, verification, out, terminal,
+    {examination.repairs, {}, number + (number == "1" ? " component: " : " components: ") + outcome.summary});
+}
 
-  for (const std::string& failure : verification.failures)
-  {
-    std::cerr << "meridian: not verified: " << failure << '\n';
-  }
-  if (!arguments.quiet)
-  {
-    for (const std::string& repair : examination.repairs) { std::cout << "note: " << repair << '\n'; }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ")
-              << examination.components.size()
-              << (examination.components.size() == 1 ? " component: " : " components: ") << summary << '\n';
-  }
-  return verification ? VERIFIED : NOT_VERIFIED;
+} // namespace
+
+Command add_generators(CLI::App& app)
+{
+  const auto a = std::make_shared<Generator_arguments>();
+  CLI::App* command = app.add_subcommand("generators", "find a meridian and a longitude around every handle");
+  command->add_option("MESH", a->mesh, "the mesh file")->required();
+  command
+    ->add_option("-o,--output", a->out,
+                 "the refined mesh, with the curves as line elements; its map back to MESH is written beside it")
+    ->required()
+    ->type_name("OUT.obj");
+  command->add_option("--view", a->view, "write a page that shows the curves in a browser")->type_name("FILE");
+  command->add_option("--curves", a->curves, "write the curves alone as OBJ lines")->type_name("FILE");
+  add_common_options(*command, *a);
+  command->add_flag("--repair", a->repair, repair_help);
+  add_field_options(*command, *a);
+  command
+    ->add_option(
+      "--basis", a->basis,
+      "a meridian and a longitude for every handle, or short loops that are a basis of homology and may cross")
+    ->check(CLI::IsMember({"pairs", "shortest"}))
+    ->capture_default_str();
+  command->add_option("--longitudes", a->longitudes, "look for flow lines first, or take shortest arcs at once")
+    ->check(CLI::IsMember({"flow", "arc"}))
+    ->capture_default_str();
+  command
+    ->add_option(
+      "--mode", a->mode,
+      "boundary loops take one value of the field each, or the boundary is free and level lines may end there")
+    ->check(CLI::IsMember({"closed", "open"}))
+    ->capture_default_str()
+    ->group("The field");
+  command->add_flag("--complex", a->complex, "show the flow lines of the field in --view and write them to --curves");
+  command->add_flag("--no-tighten", a->no_tighten, "leave the curves as they were found");
+  return {command, [a, command] {
+            note_field_options(*command, *a);
+            return run_generators(*a);
+          }};
 }
 
 } // namespace program

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
 #include "files/Output_files.h"
+#include "options.h"
 #include "report.h"
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/surface/examine_surface.h>
 
 #include <iostream>
+#include <memory>
 
 namespace meridian {
 namespace program {
@@ -34,8 +36,6 @@ void print(const std::string& mesh, const Polygon_soup& soup, const Examination&
   if (e.components.size() > 1) { std::cout << "  together: genus " << genus << ", boundary loops " << loops << '\n'; }
   for (const std::string& repair : e.repairs) { std::cout << "  note: " << repair << '\n'; }
 }
-
-} // namespace
 
 int run_info(const Info_arguments& arguments)
 {
@@ -66,6 +66,18 @@ int run_info(const Info_arguments& arguments)
     out.commit();
   }
   return status;
+}
+
+} // namespace
+
+Command add_info(CLI::App& app)
+{
+  const auto a = std::make_shared<Info_arguments>();
+  CLI::App* command = app.add_subcommand("info", "count what meshes are: components, boundary loops, genus, defects");
+  command->add_option("MESH", a->meshes, "mesh files")->required();
+  command->add_flag("--repair", a->repair, repair_help);
+  add_common_options(*command, *a);
+  return {command, [a] { return run_info(*a); }};
 }
 
 } // namespace program

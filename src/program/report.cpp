@@ -54,13 +54,6 @@ Json report_counts(const Surface_component& c)
           {"boundary_loops", c.boundary_loops}};
 }
 
-Json report_counts(const Component_count& c)
-{
-  return {{"vertices", c.vertices}, {"edges", c.edges},
-          {"faces", c.faces},       {"euler_characteristic", c.euler_characteristic},
-          {"genus", c.genus},       {"boundary_loops", c.boundary_loops}};
-}
-
 namespace {
 
 Json report_field(const Field_summary& f, const Field_options& options)
@@ -121,22 +114,37 @@ Json report_cut(const Cut& cut, const Surface_component& component, const Compon
   return r;
 }
 
-Json report_intersections(const Curve_count& count)
+namespace {
+
+// Where a pair lies, in the unit of the file.
+struct Pair_place
 {
-  if (count.is_symplectic) { return "symplectic"; }
-  Json rows = Json::array();
-  for (int i = 0; i < 2 * count.pairs; ++i)
-  {
-    Json row = Json::array();
-    for (int j = 0; j < 2 * count.pairs; ++j)
+  Json low, high, centre;
+};
+
+Pair_place locate(const Generators& g, const Generator_pair& pair, double unit)
+{
+  Point low = g.surface.points[pair.meridian.vertices.front()], high = low, sum{0, 0, 0};
+  double weight = 0;
+  for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
+    for (std::size_t i = 0; i < c->vertices.size(); ++i)
     {
-      const auto entry = count.intersections.find({i, j});
-      row.push_back(entry == count.intersections.end() ? 0 : entry->second);
+      const Point &p = g.surface.points[c->vertices[i]],
+                  &q = g.surface.points[c->vertices[(i + 1) % c->vertices.size()]];
+      for (int k = 0; k < 3; ++k)
+      {
+        low[k] = std::min(low[k], p[k]);
+        high[k] = std::max(high[k], p[k]);
+      }
+      const double l = distance(p, q);
+      sum = sum + (l / 2) * (p + q);
+      weight += l;
     }
-    rows.push_back(row);
-  }
-  return rows;
+  const auto in_file = [&](const Point& p) { return Json{unit * p[0], unit * p[1], unit * p[2]}; };
+  return {in_file(low), in_file(high), in_file(weight > 0 ? (1 / weight) * sum : low)};
 }
+
+} // namespace
 
 Json report_generators(const Generators& g, const Surface_component& component, const Curve_count& count,
                        const Generator_options& options, int first_handle)
@@ -155,31 +163,13 @@ Json report_generators(const Generators& g, const Surface_component& component, 
   Json pairs = Json::array();
   for (const Generator_pair& pair : g.pairs)
   {
-    Point low = g.surface.points[pair.meridian.vertices.front()], high = low, sum{0, 0, 0};
-    double weight = 0;
-    for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
-      for (std::size_t i = 0; i < c->vertices.size(); ++i)
-      {
-        const Point &p = g.surface.points[c->vertices[i]],
-                    &q = g.surface.points[c->vertices[(i + 1) % c->vertices.size()]];
-        for (int k = 0; k < 3; ++k)
-        {
-          low[k] = std::min(low[k], p[k]);
-          high[k] = std::max(high[k], p[k]);
-        }
-        const double l = distance(p, q);
-        sum = sum + (l / 2) * (p + q);
-        weight += l;
-      }
-    const auto in_file = [&](const Point& p) {
-      return Json{component.unit * p[0], component.unit * p[1], component.unit * p[2]};
-    };
+    const Pair_place place = locate(g, pair, component.unit);
     pairs.push_back({{"handle", first_handle++},
                      {"meridian", curve(pair.meridian)},
                      {"longitude", curve(pair.longitude)},
                      {"class", name_of(pair.meridian.loop_class)},
-                     {"bounding_box", {in_file(low), in_file(high)}},
-                     {"centre", in_file(weight > 0 ? (1 / weight) * sum : low)}});
+                     {"bounding_box", {place.low, place.high}},
+                     {"centre", place.centre}});
   }
   if (options.is_open && g.boundary_loops > 0)
   {
@@ -220,11 +210,6 @@ Json report_basis(const Homology_basis& b, const Surface_component& component, c
   r["smallest_angle_after"] = degrees(b.smallest_angle_after);
   r["seconds"] = report_seconds(b.seconds);
   return r;
-}
-
-std::string format_report(const Json& report)
-{
-  return report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace program

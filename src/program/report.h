@@ -2,6 +2,8 @@
 #ifndef MERIDIAN_REPORT_H
 #define MERIDIAN_REPORT_H
 
+#include "report_proof.h"
+
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Verification.h>
 #include <meridian/cut/Cut.h>
@@ -10,26 +12,18 @@
 #include <meridian/handles/find_shortest_basis.h>
 #include <meridian/surface/examine_surface.h>
 
-#include <nlohmann/json.hpp>
-
 namespace meridian {
 namespace program {
-
-using Json = nlohmann::ordered_json;
 
 // The parts of a report; the keys are those of the manual.
 Json report_input(const std::string& file, const Polygon_soup& soup, const Examination& examination);
 Json report_counts(const Surface_component& component);
-Json report_counts(const Component_count& count);
 Json report_cut(const Cut& cut, const Surface_component& component, const Component_count& count,
                 const Cut_options& options);
 // `first_handle`: the number of its first pair.
 Json report_generators(const Generators& generators, const Surface_component& component, const Curve_count& count,
                        const Generator_options& options, int first_handle);
 Json report_basis(const Homology_basis& basis, const Surface_component& component, const Curve_count& count);
-// "symplectic", or the rows.
-Json report_intersections(const Curve_count& count);
-std::string format_report(const Json& report);
 
 } // namespace program
 } // namespace meridian

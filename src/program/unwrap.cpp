@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut.h"
+#include "end_run.h"
 #include "files/png.h"
 #include "files/write_layout.h"
 #include "files/write_mesh.h"
 #include "files/write_texture.h"
+#include "options.h"
 #include "page/format_unwrap_page.h"
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
-#include <meridian/curves/Normal_curves.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
 #include <meridian/map/Parameterization.h>
@@ -18,11 +19,11 @@
 #include <meridian/map/pack_charts.h>
 #include <meridian/map/planar_map.h>
 #include <meridian/proof/verify_unwrapping.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/result/name_curves.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/examine_surface.h>
 #include <meridian/unwrap/Unwrapping.h>
-#include <meridian/unwrap/cut_family.h>
 #include <meridian/unwrap/geometry_image.h>
 #include <meridian/unwrap/measure_round_trip.h>
 #include <meridian/unwrap/unwrap_surface.h>
@@ -30,6 +31,7 @@
 #include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <sstream>
 
 namespace meridian {
@@ -239,7 +241,91 @@ Result_mesh closed_mesh(Result_mesh mesh)
   return mesh;
 }
 
-} // namespace
+// The mesh with the distortion of each face.
+std::string format_distortion(const Unwrap_arguments& arguments, const Result_mesh& mesh,
+                              const std::vector<Face_distortion>& faces)
+{
+  std::vector<files::Face_values> values{{"stretch_l2", {}}, {"stretch_linf", {}}, {"conformal", {}}, {"areal", {}}};
+  for (const Face_distortion& f : faces)
+  {
+    const std::array<double, 4> all{f.stretch_l2, f.stretch_linf, f.conformal, f.areal};
+    for (std::size_t k = 0; k < 4; ++k) { values[k].values.push_back(all[k]); }
+  }
+  return files::format_mesh(arguments.distortion, closed_mesh(mesh), values);
+}
+
+// What a person should know of the maps and the geometry image.
+std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::vector<Unwrapping>& unwrapped,
+                                  const Json& report)
+{
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    const Unwrapping& u = unwrapped[i];
+    const Map_attempt& asked = u.map.attempts.front();
+    const std::string component = "component " + std::to_string(i) + ": ";
+    if (u.map.attempts.size() > 1)
+    {
+      notes.push_back(component + "mapped by " + name_of(u.map.method) + " (border " + name_of(u.map.border)
+                      + "), because " + name_of(asked.method) + " (border " + name_of(asked.border) + ") "
+                      + (asked.flipped < 0 ? "gave no map: " + asked.reason
+                                           : "left " + std::to_string(asked.flipped) + " flipped faces"));
+    }
+    if (!u.extensions.empty() && arguments.max_stretch == 0)
+    {
+      notes.push_back(component + "the cut was extended, because its map was of no use");
+    }
+    if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
+    {
+      std::ostringstream note;
+      note << component << "the stretch is " << u.map.distortion.stretch_l2
+           << "; no further extension of the cut lowered it";
+      notes.push_back(note.str());
+    }
+  }
+  if (report.contains("geometry_image"))
+  {
+    const Json& image = report["geometry_image"];
+    std::ostringstream note;
+    note << "geometry image: the surface made of it has genus " << image["genus"] << " and " << image["boundary_loops"]
+         << " boundary loops; Hausdorff distance " << image["hausdorff"].get<double>() << ", PSNR "
+         << image["psnr"].get<double>() << " dB";
+    notes.push_back(note.str());
+  }
+  return notes;
+}
+
+// The files of a verified unwrapping, its report and its geometry image apart.
+void add_unwrapping(files::Output_files& out, const Unwrap_arguments& arguments, const Loaded_mesh& loaded,
+                    const Cut_result& result, const std::vector<Unwrapping>& unwrapped,
+                    const std::vector<Plane_point>& texture, const std::string& caption)
+{
+  namespace fs = std::filesystem;
+  const Result_mesh& mesh = result.assembled.mesh;
+  const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
+  out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, fs::path(material).filename().string()));
+  out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::UNWRAPPING));
+  const auto faces = distortion_of_faces(result.assembled, texture, unwrapped);
+  std::vector<double> stretch;
+  for (const Face_distortion& f : faces) { stretch.push_back(std::min(f.stretch_l2, 1e30)); }
+  if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, texture, stretch)); }
+  if (!arguments.texture.empty())
+  {
+    out.add(arguments.texture, files::format_checkerboard(1024, 32));
+    const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(),
+                   image = fs::weakly_canonical(fs::absolute(arguments.texture));
+    out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
+  }
+  if (!arguments.distortion.empty()) { out.add(arguments.distortion, format_distortion(arguments, mesh, faces)); }
+  if (!arguments.curves.empty())
+  {
+    out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled)));
+  }
+  if (!arguments.view.empty())
+  {
+    out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption, mesh, texture, stretch));
+  }
+}
 
 int run_unwrap(const Unwrap_arguments& arguments)
 {
@@ -292,87 +378,86 @@ int run_unwrap(const Unwrap_arguments& arguments)
     report["geometry_image"] = add_geometry_image(out, arguments, components.front(), unwrapped.front());
   }
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
-  std::ostringstream caption;
-  caption << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus
-          << ", " << result.loops << " boundary loops; cut length " << result.length << ", L2 stretch " << worst;
-  if (verification)
-  {
-    namespace fs = std::filesystem;
-    const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
-    out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, fs::path(material).filename().string()));
-    out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::UNWRAPPING));
-    const auto faces = distortion_of_faces(result.assembled, texture, unwrapped);
-    std::vector<double> stretch;
-    for (const Face_distortion& f : faces) { stretch.push_back(std::min(f.stretch_l2, 1e30)); }
-    if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, texture, stretch)); }
-    if (!arguments.texture.empty())
-    {
-      out.add(arguments.texture, files::format_checkerboard(1024, 32));
-      const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(),
-                     image = fs::weakly_canonical(fs::absolute(arguments.texture));
-      out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
-    }
-    if (!arguments.distortion.empty())
-    {
-      std::vector<files::Face_values> values{
-        {"stretch_l2", {}}, {"stretch_linf", {}}, {"conformal", {}}, {"areal", {}}};
-      for (const Face_distortion& f : faces)
-      {
-        const std::array<double, 4> all{f.stretch_l2, f.stretch_linf, f.conformal, f.areal};
-        for (std::size_t k = 0; k < 4; ++k) { values[k].values.push_back(all[k]); }
-      }
-      out.add(arguments.distortion, files::format_mesh(arguments.distortion, closed_mesh(mesh), values));
-    }
-    if (!arguments.curves.empty())
-    {
-      out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled)));
-    }
-    if (!arguments.view.empty())
-    {
-      out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption.str(), mesh, texture, stretch));
-    }
-  }
-  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
-  out.commit();
-  terminal.clear();
+  std::ostringstream counts;
+  counts << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus
+         << ", " << result.loops << " boundary loops; cut length " << result.length << ", L2 stretch " << worst;
+  const std::string caption = counts.str();
+  if (verification) { add_unwrapping(out, arguments, loaded, result, unwrapped, texture, caption); }
+  return end_run(arguments, verification, out, terminal,
+                 {loaded.examination.repairs, notes_of(arguments, unwrapped, report),
+                  caption + (verification ? "; no face is turned over" : "")});
+}
 
-  for (const std::string& failure : verification.failures)
-  {
-    std::cerr << "meridian: not verified: " << failure << '\n';
-  }
-  if (!arguments.quiet)
-  {
-    for (const std::string& repair : loaded.examination.repairs) { std::cout << "note: " << repair << '\n'; }
-    for (std::size_t i = 0; i < unwrapped.size(); ++i)
-    {
-      const Unwrapping& u = unwrapped[i];
-      const Map_attempt& asked = u.map.attempts.front();
-      if (u.map.attempts.size() > 1)
-        std::cout << "note: component " << i << ": mapped by " << name_of(u.map.method) << " (border "
-                  << name_of(u.map.border) << "), because " << name_of(asked.method) << " (border "
-                  << name_of(asked.border) << ") "
-                  << (asked.flipped < 0 ? "gave no map: " + asked.reason
-                                        : "left " + std::to_string(asked.flipped) + " flipped faces")
-                  << '\n';
-      if (!u.extensions.empty() && arguments.max_stretch == 0)
-      {
-        std::cout << "note: component " << i << ": the cut was extended, because its map was of no use\n";
-      }
-      if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
-        std::cout << "note: component " << i << ": the stretch is " << u.map.distortion.stretch_l2
-                  << "; no further extension of the cut lowered it\n";
-    }
-    if (report.contains("geometry_image"))
-    {
-      const Json& image = report["geometry_image"];
-      std::cout << "geometry image: the surface made of it has genus " << image["genus"] << " and "
-                << image["boundary_loops"] << " boundary loops; Hausdorff distance " << image["hausdorff"].get<double>()
-                << ", PSNR " << image["psnr"].get<double>() << " dB\n";
-    }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << caption.str()
-              << (verification ? "; no face is turned over" : "") << '\n';
-  }
-  return verification ? VERIFIED : NOT_VERIFIED;
+void add_picture_options(CLI::App& command, Unwrap_arguments& a)
+{
+  command
+    .add_option("--svg", a.layout, "draw the layout: distortion as colour, the two sides of each seam numbered alike")
+    ->type_name("FILE")
+    ->group("Pictures");
+  command.add_option("--png", a.texture, "write a checkerboard, and beside OUT the material that shows it")
+    ->type_name("FILE")
+    ->group("Pictures");
+  command.add_option("--distortion", a.distortion, "write the mesh as PLY or VTP with the distortion of each face")
+    ->type_name("FILE")
+    ->group("Pictures");
+  command
+    .add_option("--geometry-image", a.geometry_image,
+                "map into a square, and write N x N points of the surface as a 16-bit PNG and as the surface "
+                "remeshed, beside OUT")
+    ->check(CLI::Range(5, 16384))
+    ->type_name("N")
+    ->group("Pictures");
+}
+
+} // namespace
+
+Command add_unwrap(CLI::App& app)
+{
+  const auto a = std::make_shared<Unwrap_arguments>();
+  CLI::App* command = app.add_subcommand(
+    "unwrap", "cut a mesh and give it texture coordinates: a chart for each component, without flipped faces");
+  command->add_option("MESH", a->mesh, "the mesh file")->required();
+  command
+    ->add_option("-o,--output", a->out,
+                 "the mesh with texture coordinates: OBJ; vertices are not doubled, seams are in the coordinates")
+    ->required()
+    ->type_name("OUT.obj");
+  command
+    ->add_option("--parameterization", a->parameterization,
+                 "low distortion, one-to-one; averages with positive weights, the same with low stretch, "
+                 "mean value coordinates, uniform averages, discrete conformal, discrete authalic; least squares "
+                 "conformal or as rigid as possible, both with a free border")
+    ->check(CLI::IsMember(
+      {"symmetric-dirichlet", "positive", "stretch", "mean-value", "tutte", "conformal", "authalic", "lscm", "arap"}))
+    ->capture_default_str()
+    ->group("The map");
+  command
+    ->add_option("--border", a->border,
+                 "where the border goes: where the method likes; those that need a border take a circle")
+    ->check(CLI::IsMember({"free", "circle", "square"}))
+    ->capture_default_str()
+    ->group("The map");
+  command->add_option("--family", a->family, "try N different cuts, and take the best")
+    ->check(CLI::Range(1, 1000000000))
+    ->type_name("N");
+  command
+    ->add_option("--stretch-weight", a->stretch_weight,
+                 "what is best: the least (1 - W) length + W stretch; with W > 0 links are varied too")
+    ->check(CLI::Range(0., 1.))
+    ->type_name("W")
+    ->capture_default_str();
+  command
+    ->add_option("--max-stretch", a->max_stretch,
+                 "extend the cut to regions of high stretch until the L2 stretch is at most S")
+    ->check(CLI::Range(1., 1e300))
+    ->type_name("S");
+  add_cut_options(*command, *a);
+  add_picture_options(*command, *a);
+  return {command, [a, command] {
+            note_cut_options(*command, *a);
+            a->has_border = command->count("--border") > 0;
+            return run_unwrap(*a);
+          }};
 }
 
 } // namespace program

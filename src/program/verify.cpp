@@ -2,7 +2,8 @@
 #include "commands.h"
 #include "files/Output_files.h"
 #include "files/read_result.h"
-#include "report.h"
+#include "options.h"
+#include "report_proof.h"
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Verification.h>
@@ -10,10 +11,10 @@
 #include <meridian/proof/verify_cut.h>
 #include <meridian/proof/verify_generators.h>
 #include <meridian/proof/verify_unwrapping.h>
-#include <meridian/result/recount.h>
 
 #include <algorithm>
 #include <iostream>
+#include <memory>
 
 namespace meridian {
 namespace program {
@@ -45,7 +46,30 @@ Verification verify_texture(const Polygon_soup& input, const files::Result_files
   return v;
 }
 
-} // namespace
+void print_summary(const Verification& v, const files::Result_files& result)
+{
+  std::int64_t genus = 0, loops = 0, discs = 0;
+  for (const Component_count& c : v.components)
+  {
+    genus += c.genus;
+    loops += c.boundary_loops;
+    discs += c.discs;
+  }
+  std::cout << (v ? "verified: " : "NOT verified: ") << v.components.size()
+            << (v.components.size() == 1 ? " component" : " components") << " (genus " << genus << ", boundary loops "
+            << loops << ")";
+  if (result.kind != files::Result_kind::GENERATORS)
+  {
+    std::cout << " became " << discs << (discs == 1 ? " piece" : " pieces");
+    if (v)
+    {
+      std::cout << ", each a disc; glued along " << result.mesh.seams.size() << " seam edges they are the input again";
+    }
+    if (v && result.kind == files::Result_kind::UNWRAPPING) { std::cout << "; no face is turned over in the plane"; }
+  }
+  else if (v) { std::cout << ", with a basis of first homology on each"; }
+  std::cout << '\n';
+}
 
 int run_verify(const Verify_arguments& arguments)
 {
@@ -61,7 +85,6 @@ int run_verify(const Verify_arguments& arguments)
   }
 
   Json components = Json::array();
-  std::int64_t genus = 0, loops = 0, discs = 0;
   for (std::size_t i = 0; i < v.components.size(); ++i)
   {
     const Component_count& c = v.components[i];
@@ -76,9 +99,6 @@ int run_verify(const Verify_arguments& arguments)
       r["is_basis"] = v.curves[i].is_basis;
     }
     components.push_back(r);
-    genus += c.genus;
-    loops += c.boundary_loops;
-    discs += c.discs;
   }
   if (!arguments.report.empty())
   {
@@ -91,25 +111,21 @@ int run_verify(const Verify_arguments& arguments)
     out.commit();
   }
   for (const std::string& failure : v.failures) { std::cerr << "meridian: " << failure << '\n'; }
-  if (!arguments.quiet)
-  {
-    std::cout << (v ? "verified: " : "NOT verified: ") << v.components.size()
-              << (v.components.size() == 1 ? " component" : " components") << " (genus " << genus << ", boundary loops "
-              << loops << ")";
-    if (kind != files::Result_kind::GENERATORS)
-    {
-      std::cout << " became " << discs << (discs == 1 ? " piece" : " pieces");
-      if (v)
-      {
-        std::cout << ", each a disc; glued along " << result.mesh.seams.size()
-                  << " seam edges they are the input again";
-      }
-      if (v && kind == files::Result_kind::UNWRAPPING) { std::cout << "; no face is turned over in the plane"; }
-    }
-    else if (v) { std::cout << ", with a basis of first homology on each"; }
-    std::cout << '\n';
-  }
+  if (!arguments.quiet) { print_summary(v, result); }
   return v ? VERIFIED : NOT_VERIFIED;
+}
+
+} // namespace
+
+Command add_verify(CLI::App& app)
+{
+  const auto a = std::make_shared<Verify_arguments>();
+  CLI::App* command =
+    app.add_subcommand("verify", "recount a result of `cut`, `unwrap` or `generators` from its files alone");
+  command->add_option("MESH", a->mesh, "the mesh that the result was made from")->required();
+  command->add_option("RESULT", a->result, "the result; its .map.json is expected beside it")->required();
+  add_common_options(*command, *a);
+  return {command, [a] { return run_verify(*a); }};
 }
 
 } // namespace program

@@ -2,13 +2,26 @@
 #include <meridian/proof/internal/Input_topology.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
 namespace verification {
 
 Input_topology::Input_topology(const Polygon_soup& input)
+{
+  take_triangles(input);
+  const Id n = static_cast<Id>(triangles.size());
+  twin.assign(3 * static_cast<std::size_t>(n), -1);
+  Union_find fans(3 * static_cast<std::size_t>(n));
+  for (const auto& sides : glue_pairs(static_cast<Id>(input.points.size()), fans)) { glue_crowded(sides, fans); }
+  count_components(number_components(), fans);
+}
+
+void Input_topology::take_triangles(const Polygon_soup& input)
 {
   std::vector<char> is_dropped(input.number_of_polygons(), 0);
   std::vector<Id> sorted;
@@ -30,12 +43,13 @@ Input_topology::Input_topology(const Polygon_soup& input)
     ++first_triangle[polygon + 1];
   });
   std::partial_sum(first_triangle.begin(), first_triangle.end(), first_triangle.begin());
-  const Id n = static_cast<Id>(triangles.size());
-  twin.assign(3 * static_cast<std::size_t>(n), -1);
-  Union_find fans(3 * static_cast<std::size_t>(n));
+}
+
+std::vector<std::vector<Id>> Input_topology::glue_pairs(Id vertices, Union_find& fans)
+{
   std::vector<std::vector<Id>> crowded;
   for_each_edge(
-    3 * n, static_cast<Id>(input.points.size()), [&](Id s) { return ends(s); },
+    static_cast<Id>(twin.size()), vertices, [&](Id s) { return ends(s); },
     [&](auto i, auto j) {
       if (j - i == 2) { glue(*i, *(i + 1), fans); }
       else if (j - i > 2)
@@ -45,22 +59,29 @@ Input_topology::Input_topology(const Polygon_soup& input)
         crowded_edges.insert({std::min(a, b), std::max(a, b)});
       }
     });
-  for (const auto& sides : crowded)
+  return crowded;
+}
+
+void Input_topology::glue_crowded(const std::vector<Id>& sides, Union_find& fans)
+{
+  std::vector<std::array<Id, 3>> key;
+  for (Id s : sides)
   {
-    std::vector<std::array<Id, 3>> key;
-    for (Id s : sides)
-    {
-      const Id a = fans.find(s), b = fans.find(next_side(s));
-      const bool low_first = ends(s).first < ends(s).second;
-      key.push_back({low_first ? a : b, low_first ? b : a, s});
-    }
-    std::sort(key.begin(), key.end());
-    for (std::size_t i = 0, j; i < key.size(); i = j)
-    {
-      for (j = i; j < key.size() && key[j][0] == key[i][0] && key[j][1] == key[i][1]; ++j) {}
-      if (j - i == 2) { glue(key[i][2], key[i + 1][2], fans); }
-    }
+    const Id a = fans.find(s), b = fans.find(next_side(s));
+    const bool low_first = ends(s).first < ends(s).second;
+    key.push_back({low_first ? a : b, low_first ? b : a, s});
   }
+  std::sort(key.begin(), key.end());
+  for (std::size_t i = 0, j; i < key.size(); i = j)
+  {
+    for (j = i; j < key.size() && key[j][0] == key[i][0] && key[j][1] == key[i][1]; ++j) {}
+    if (j - i == 2) { glue(key[i][2], key[i + 1][2], fans); }
+  }
+}
+
+int Input_topology::number_components()
+{
+  const Id n = static_cast<Id>(triangles.size());
   Union_find parts(n);
   for (Id s = 0; s < 3 * n; ++s)
   {
@@ -73,9 +94,15 @@ Input_topology::Input_topology(const Polygon_soup& input)
     if (!is_used[t]) { continue; }
     component[t] = parts.find(t) == t ? components++ : component[parts.find(t)];
   }
+  return components;
+}
+
+void Input_topology::count_components(int components, Union_find& fans)
+{
   counts.resize(components);
   const Counts c = count_glued(
-    n, twin, components + 1, [&](Id t) { return component[t] < 0 ? components : component[t]; }, fans);
+    static_cast<Id>(triangles.size()), twin, components + 1,
+    [&](Id t) { return component[t] < 0 ? components : component[t]; }, fans);
   for (int i = 0; i < components; ++i)
   {
     Component_count& count = counts[i];

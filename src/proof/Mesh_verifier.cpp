@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/proof/internal/Mesh_verifier.h>
 
-#include <future>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <iterator>
 #include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -181,37 +183,122 @@ bool Mesh_verifier::find_triangles()
   return off.empty();
 }
 
+// What is wrong with the division of the input's faces: faces of the result, and components that are turned over.
+struct Mesh_verifier::Faults
+{
+  std::vector<Id> turned, broken, holes, turned_over;
+};
+
+// The faces of the result in one triangle of the input.
+struct Mesh_verifier::Division
+{
+  // A side of the result on the triangle's side `side`: how far along it its ends lie, and which vertices they are.
+  struct Rim_side
+  {
+    int side;
+    double from, to;
+    Id first, last;
+  };
+  std::vector<Id> corners;
+  std::vector<Rim_side> rim;
+  int inner = 0; // how many sides do not lie on the rim
+
+  bool turn_rim(bool forward);
+  bool has_whole_rim(const std::array<Id, 3>& triangle);
+  bool has_disc_count(Id faces);
+};
+
+// Turns the rim's sides to run along the triangle's. Returns whether all ran the way that is said.
+bool Mesh_verifier::Division::turn_rim(bool forward)
+{
+  bool is_alike = true;
+  for (Rim_side& p : rim)
+  {
+    is_alike = is_alike && (p.from < p.to) == forward;
+    if (!(p.from < p.to))
+    {
+      std::swap(p.from, p.to);
+      std::swap(p.first, p.last);
+    }
+  }
+  return is_alike;
+}
+
+// Whether each side of the triangle is divided from end to end.
+bool Mesh_verifier::Division::has_whole_rim(const std::array<Id, 3>& triangle)
+{
+  std::sort(rim.begin(), rim.end(),
+            [](const Rim_side& a, const Rim_side& b) { return a.side != b.side ? a.side < b.side : a.from < b.from; });
+  for (std::size_t i = 0; i < rim.size(); ++i)
+  {
+    const bool first = i == 0 || rim[i - 1].side != rim[i].side,
+               last = i + 1 == rim.size() || rim[i + 1].side != rim[i].side;
+    if (first ? rim[i].first != triangle[rim[i].side] : rim[i].first != rim[i - 1].last) { return false; }
+    if (last && rim[i].last != triangle[(rim[i].side + 1) % 3]) { return false; }
+    if (!(rim[i].from < rim[i].to)) { return false; }
+  }
+  return true;
+}
+
+// Whether the Euler characteristic is 1.
+bool Mesh_verifier::Division::has_disc_count(Id faces)
+{
+  std::sort(corners.begin(), corners.end());
+  const int vertices = static_cast<int>(std::unique(corners.begin(), corners.end()) - corners.begin());
+  const int edges = static_cast<int>(rim.size()) + inner / 2;
+  return rim.size() >= 3 && inner % 2 == 0 && vertices - edges + faces == 1;
+}
+
 void Mesh_verifier::check_subdivision()
 {
-  const Id faces = static_cast<Id>(m_result.faces.size()), triangles = static_cast<Id>(m_in.triangles.size());
-  m_mate.assign(3 * static_cast<std::size_t>(faces), -1);
-  std::vector<Id> input_side(3 * static_cast<std::size_t>(faces), -1); // the side of the triangle that a side lies on
-  std::vector<Id> turned, broken, holes, glued_wrong;
-  for (Id s = 0; s < 3 * faces; ++s)
+  const std::vector<Id> input_side = find_input_sides();
+  Faults faults;
+  find_mates(input_side, faults);
+  check_divisions(input_side, faults);
+  fail("components are turned over", faults.turned_over);
+  fail("faces are turned against their neighbours", faults.turned);
+  fail("faces lack a neighbour that the input has", faults.holes);
+  fail("faces of the input are not divided into a disc; it begins with faces of the result", faults.broken);
+}
+
+std::vector<Id> Mesh_verifier::find_input_sides() const
+{
+  const Id sides = static_cast<Id>(3 * m_result.faces.size());
+  std::vector<Id> input_side(sides, -1);
+  for (Id s = 0; s < sides; ++s)
   {
     const Id t = m_triangle_of[s / 3];
     const int common = sides_of(m_result.origin[corner(s)], t) & sides_of(m_result.origin[corner(next_side(s))], t);
     if (common != 0) { input_side[s] = 3 * t + (common == 1 ? 0 : common == 2 ? 1 : 2); }
   }
+  return input_side;
+}
+
+void Mesh_verifier::find_mates(const std::vector<Id>& input_side, Faults& faults)
+{
+  const Id sides = static_cast<Id>(3 * m_result.faces.size());
+  m_mate.assign(sides, -1);
   const auto root_ends = [&](Id s) { return std::make_pair(root(corner(s)), root(corner(next_side(s)))); };
-  for_each_edge(3 * faces, static_cast<Id>(m_result.points.size()), root_ends, [&](auto i, auto j) {
+  for_each_edge(sides, static_cast<Id>(m_result.points.size()), root_ends, [&](auto i, auto j) {
     for (auto a = i; a != j; ++a)
       for (auto b = std::next(a); b != j; ++b)
       {
         const bool inside = input_side[*a] < 0 && input_side[*b] < 0 && m_triangle_of[*a / 3] == m_triangle_of[*b / 3];
         const bool across = input_side[*a] >= 0 && input_side[*b] >= 0 && m_in.twin[input_side[*a]] == input_side[*b];
         if (!inside && !across) { continue; }
-        if (m_mate[*a] >= 0 || m_mate[*b] >= 0) { broken.push_back(*a / 3); }
-        if (root_ends(*a).first == root_ends(*b).first) { turned.push_back(*b / 3); }
+        if (m_mate[*a] >= 0 || m_mate[*b] >= 0) { faults.broken.push_back(*a / 3); }
+        if (root_ends(*a).first == root_ends(*b).first) { faults.turned.push_back(*b / 3); }
         m_mate[*a] = *b;
         m_mate[*b] = *a;
       }
   });
-  for (Id s = 0; s < 3 * faces; ++s)
-    if (m_mate[s] < 0 && (input_side[s] < 0 || m_in.twin[input_side[s]] >= 0)) { holes.push_back(s / 3); }
+  for (Id s = 0; s < sides; ++s)
+    if (m_mate[s] < 0 && (input_side[s] < 0 || m_in.twin[input_side[s]] >= 0)) { faults.holes.push_back(s / 3); }
+}
 
-  // The parts of each triangle: connected, Euler characteristic 1, and each side of the triangle divided from end to
-  // end.
+void Mesh_verifier::check_divisions(const std::vector<Id>& input_side, Faults& faults) const
+{
+  const Id faces = static_cast<Id>(m_result.faces.size()), triangles = static_cast<Id>(m_in.triangles.size());
   std::vector<Id> begin(triangles + 1, 0), order(faces);
   for (Id t : m_triangle_of) { ++begin[t + 1]; }
   std::partial_sum(begin.begin(), begin.end(), begin.begin());
@@ -220,73 +307,49 @@ void Mesh_verifier::check_subdivision()
   Union_find parts(faces);
   for (Id s = 0; s < 3 * faces; ++s)
     if (input_side[s] < 0 && m_mate[s] >= 0) { parts.join(s / 3, m_mate[s] / 3); }
-  std::vector<Id> corners;
-  struct Part
-  {
-    int side;
-    double from, to;
-    Id first, last;
-  };
-  std::vector<Part> rim;
+  Division division;
   std::vector<int> kept(m_report.components.size(), 0); // faces as in the input, less those turned over
   for (Id t = 0; t < triangles; ++t)
   {
     if (begin[t] == begin[t + 1]) { continue; }
-    corners.clear();
-    rim.clear();
-    int inner = 0;
-    bool is_disc = true;
-    for (Id i = begin[t]; i < begin[t + 1]; ++i)
-      for (Id s = 3 * order[i]; s < 3 * order[i] + 3; ++s)
-      {
-        is_disc = is_disc && parts.find(s / 3) == parts.find(order[begin[t]]);
-        corners.push_back(root(corner(s)));
-        if (input_side[s] < 0)
-        {
-          ++inner;
-          continue;
-        }
-        const int k = input_side[s] % 3;
-        Part p{k, along(corner(s), t, k), along(corner(next_side(s)), t, k), root(corner(s)),
-               root(corner(next_side(s)))};
-        rim.push_back(p);
-      }
-    const bool forward = rim.empty() || rim.front().from < rim.front().to;
+    const auto first = order.begin() + begin[t], last = order.begin() + begin[t + 1];
+    const bool is_connected = std::all_of(first, last, [&](Id f) { return parts.find(f) == parts.find(*first); });
+    collect_division(first, last, input_side, division);
+    const bool forward = division.rim.empty() || division.rim.front().from < division.rim.front().to;
     kept[m_in.component[t]] += forward ? 1 : -1;
-    for (Part& p : rim)
+    if (!division.turn_rim(forward)) { faults.turned.push_back(*first); }
+    if (!is_connected || !division.has_whole_rim(m_in.triangles[t])
+        || !division.has_disc_count(static_cast<Id>(last - first)))
     {
-      if ((p.from < p.to) != forward) { turned.push_back(order[begin[t]]); }
-      if (!(p.from < p.to))
-      {
-        std::swap(p.from, p.to);
-        std::swap(p.first, p.last);
-      }
+      faults.broken.push_back(*first);
     }
-    std::sort(rim.begin(), rim.end(),
-              [](const Part& a, const Part& b) { return a.side != b.side ? a.side < b.side : a.from < b.from; });
-    for (std::size_t i = 0; i < rim.size(); ++i)
-    {
-      const bool first = i == 0 || rim[i - 1].side != rim[i].side,
-                 last = i + 1 == rim.size() || rim[i + 1].side != rim[i].side;
-      if (first ? rim[i].first != m_in.triangles[t][rim[i].side] : rim[i].first != rim[i - 1].last) { is_disc = false; }
-      if (last && rim[i].last != m_in.triangles[t][(rim[i].side + 1) % 3]) { is_disc = false; }
-      if (!(rim[i].from < rim[i].to)) { is_disc = false; }
-    }
-    std::sort(corners.begin(), corners.end());
-    const int vertices = static_cast<int>(std::unique(corners.begin(), corners.end()) - corners.begin());
-    const int edges = static_cast<int>(rim.size()) + inner / 2, parts_of_t = begin[t + 1] - begin[t];
-    if (rim.size() < 3 || inner % 2 != 0 || vertices - edges + parts_of_t != 1) { is_disc = false; }
-    if (!is_disc) { broken.push_back(order[begin[t]]); }
   }
-  std::vector<Id> turned_over;
   for (std::size_t i = 0; i < kept.size(); ++i)
   {
-    if (kept[i] < 0) { turned_over.push_back(static_cast<Id>(i)); }
+    if (kept[i] < 0) { faults.turned_over.push_back(static_cast<Id>(i)); }
   }
-  fail("components are turned over", turned_over);
-  fail("faces are turned against their neighbours", turned);
-  fail("faces lack a neighbour that the input has", holes);
-  fail("faces of the input are not divided into a disc; it begins with faces of the result", broken);
+}
+
+void Mesh_verifier::collect_division(Face_iterator first, Face_iterator last, const std::vector<Id>& input_side,
+                                     Division& division) const
+{
+  division.corners.clear();
+  division.rim.clear();
+  division.inner = 0;
+  const Id t = m_triangle_of[*first];
+  for (; first != last; ++first)
+    for (Id s = 3 * *first; s < 3 * *first + 3; ++s)
+    {
+      division.corners.push_back(root(corner(s)));
+      if (input_side[s] < 0)
+      {
+        ++division.inner;
+        continue;
+      }
+      const int k = input_side[s] % 3;
+      division.rim.push_back(
+        {k, along(corner(s), t, k), along(corner(next_side(s)), t, k), root(corner(s)), root(corner(next_side(s)))});
+    }
 }
 
 double Mesh_verifier::along(Id v, Id t, int k) const
@@ -322,6 +385,19 @@ void Mesh_verifier::pair_result()
 
 void Mesh_verifier::check_glueing()
 {
+  const std::vector<Id> seam = check_seams();
+  check_glued_counts(seam);
+  const Id faces = static_cast<Id>(m_result.faces.size());
+  std::vector<Id> mislabelled;
+  for (Id f = 0; f < faces; ++f)
+  {
+    if (m_result.component_of[f] != component(f)) { mislabelled.push_back(f); }
+  }
+  fail("faces are said to lie in a component that they do not lie in", mislabelled);
+}
+
+std::vector<Id> Mesh_verifier::check_seams()
+{
   const Id faces = static_cast<Id>(m_result.faces.size());
   std::vector<Id> wrong, unlisted, repeated, superfluous;
   std::vector<Id> seam(3 * static_cast<std::size_t>(faces), -1);
@@ -354,7 +430,12 @@ void Mesh_verifier::check_glueing()
   fail("seams use a side that another seam uses", repeated);
   fail("seams join sides that are not cut", superfluous);
   fail("seams join sides that were not one edge of the input", wrong);
+  return seam;
+}
 
+void Mesh_verifier::check_glued_counts(const std::vector<Id>& seam)
+{
+  const Id faces = static_cast<Id>(m_result.faces.size());
   const int components = static_cast<int>(m_report.components.size());
   std::vector<Id> glued(m_result_twin);
   for (Id s = 0; s < 3 * faces; ++s)
@@ -370,7 +451,7 @@ void Mesh_verifier::check_glueing()
     }
   const Counts c = count_glued(
     faces, glued, components, [&](Id f) { return component(f); }, fans);
-  std::vector<Id> different, mislabelled;
+  std::vector<Id> different;
   for (int i = 0; i < components; ++i)
   {
     Component_count& count = m_report.components[i];
@@ -382,14 +463,9 @@ void Mesh_verifier::check_glueing()
       different.push_back(i);
     }
   }
-  for (Id f = 0; f < faces; ++f)
-  {
-    if (m_result.component_of[f] != component(f)) { mislabelled.push_back(f); }
-  }
   fail("components have another Euler characteristic or number of boundary loops than the input once the seams are "
        "glued",
        different);
-  fail("faces are said to lie in a component that they do not lie in", mislabelled);
 }
 
 Union_find Mesh_verifier::find_fans(Union_find* parts)

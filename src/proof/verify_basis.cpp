@@ -2,7 +2,12 @@
 #include <meridian/proof/internal/verify_basis.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <map>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -64,6 +69,86 @@ bool is_unimodular(std::vector<Integer_row> rows, Id columns)
     }
   }
   return true;
+}
+
+namespace {
+
+// The edges of some faces that a spanning tree of their vertices leaves, each as its higher side.
+std::vector<Id> leave_tree(const std::vector<Id>& faces, const std::vector<Id>& twin, Id vertices,
+                           const std::function<Id(Id)>& corner)
+{
+  Union_find tree(vertices);
+  std::vector<Id> rest;
+  for (Id f : faces)
+    for (Id s = 3 * f; s < 3 * f + 3; ++s)
+    {
+      if (twin[s] > s) { continue; }
+      const Id a = corner(s), b = corner(next_side(s));
+      if (tree.find(a) != tree.find(b)) { tree.join(a, b); }
+      else { rest.push_back(s); }
+    }
+  return rest;
+}
+
+} // namespace
+
+Tree_cotree::Tree_cotree(const std::vector<Id>& faces, const std::vector<Id>& local, const std::vector<Id>& twin,
+                         Id vertices, const std::function<Id(Id)>& corner)
+  : m_local(local), m_twin(twin), m_outside(static_cast<Id>(faces.size()))
+{
+  const bool is_closed = std::all_of(
+    faces.begin(), faces.end(), [&](Id f) { return twin[3 * f] >= 0 && twin[3 * f + 1] >= 0 && twin[3 * f + 2] >= 0; });
+  tour(grow_cotree(leave_tree(faces, twin, vertices, corner)), is_closed ? 0 : m_outside);
+}
+
+Tree_cotree::Cotree Tree_cotree::grow_cotree(const std::vector<Id>& edges)
+{
+  Union_find joined(m_outside + 1);
+  Cotree cotree(m_outside + 1);
+  for (Id s : edges)
+  {
+    const Id f = m_local[s / 3], g = place(m_twin[s]);
+    if (joined.find(f) == joined.find(g))
+    {
+      m_edges.push_back(s);
+      continue;
+    }
+    joined.join(f, g);
+    cotree[g].emplace_back(s, f);
+    cotree[f].emplace_back(m_twin[s], g);
+  }
+  return cotree;
+}
+
+void Tree_cotree::tour(const Cotree& cotree, Id root)
+{
+  m_enter.resize(cotree.size());
+  m_leave.resize(cotree.size());
+  m_is_down.assign(3 * static_cast<std::size_t>(m_outside), 0);
+  struct Visit
+  {
+    Id face, parent;
+    std::size_t next;
+  };
+  std::vector<Visit> stack{{root, -1, 0}};
+  Id time = 0;
+  m_enter[root] = time++;
+  while (!stack.empty())
+  {
+    Visit& v = stack.back();
+    const auto& around = cotree[v.face];
+    if (v.next == around.size())
+    {
+      m_leave[v.face] = time;
+      stack.pop_back();
+      continue;
+    }
+    const auto [side, g] = around[v.next++];
+    if (g == v.parent) { continue; }
+    m_is_down[3 * g + side % 3] = 1;
+    m_enter[g] = time++;
+    stack.push_back({g, v.face, 0});
+  }
 }
 
 Integer_row Tree_cotree::class_of(const std::vector<std::pair<Id, int>>& walk) const

@@ -6,8 +6,10 @@
 #include <meridian/surface/open_along.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <numeric>
 #include <string>
+#include <vector>
 
 namespace meridian {
 
@@ -70,6 +72,126 @@ std::vector<Index> glue_seams(const Result_mesh& result)
   return parent;
 }
 
+[[noreturn]] void refuse(const std::string& what)
+{
+  throw Invalid_input_error("cut_discs_of: the result does not belong to the input: " + what);
+}
+
+// The faces of each component of a result.
+std::vector<std::vector<Index>> group_faces(const Result_mesh& result, Index components)
+{
+  std::vector<std::vector<Index>> faces(components);
+  for (std::size_t f = 0; f < result.faces.size(); ++f)
+  {
+    if (result.component_of[f] < 0 || result.component_of[f] >= components)
+    {
+      refuse("a face lies in component " + std::to_string(result.component_of[f]));
+    }
+    faces[result.component_of[f]].push_back(static_cast<Index>(f));
+  }
+  return faces;
+}
+
+// Refuses a result whose arrays do not fit. Returns how many of its vertices are neither of the input nor copies.
+Index count_new_vertices(const Polygon_soup& input, const Examination& examination, const Result_mesh& result)
+{
+  const Index n = static_cast<Index>(input.points.size()),
+              added = static_cast<Index>(examination.added_vertex_of.size()),
+              size = static_cast<Index>(result.points.size());
+  if (result.copy_of.size() != result.points.size() || result.origin.size() != result.points.size()
+      || result.component_of.size() != result.faces.size())
+    refuse("its map has another size");
+  const Index new_vertices =
+    static_cast<Index>(std::count_if(result.copy_of.begin(), result.copy_of.end(), [](Index v) { return v < 0; })) - n;
+  if (new_vertices < 0 || size < n + new_vertices + added) { refuse("it has too few vertices"); }
+  for (const auto& t : result.faces)
+    for (Index v : t)
+    {
+      if (v < 0 || v >= size) { refuse("a face has a vertex " + std::to_string(v)); }
+    }
+  return new_vertices;
+}
+
+// Takes the discs of the components out of a result, one after another.
+class Disc_extractor
+{
+public:
+  Disc_extractor(const Polygon_soup& input, const Examination& examination, const Result_mesh& result,
+                 Index new_vertices)
+    : m_examination(examination), m_result(result), m_input_vertices(static_cast<Index>(input.points.size())),
+      m_new_vertices(new_vertices), m_glued(glue_seams(result)), m_local(result.points.size(), -1),
+      m_root_of(result.points.size(), -1)
+  {}
+
+  Cut_disc extract(const Surface_component& c, const std::vector<Index>& faces)
+  {
+    Cut_disc d;
+    d.disc.points = c.surface.points;
+    std::vector<Index> place; // of the disc's vertices in the result
+    place_root(c, place);
+    for (Index v : find_others(faces))
+    {
+      m_local[v] = static_cast<Index>(place.size());
+      place.push_back(v);
+      const auto& p = m_result.points[v];
+      d.disc.points.push_back({p[0] / c.unit, p[1] / c.unit, p[2] / c.unit});
+    }
+    for (Index f : faces)
+    {
+      const auto& t = m_result.faces[f];
+      d.disc.triangles.push_back({m_local[t[0]], m_local[t[1]], m_local[t[2]]});
+    }
+    connect(d.disc);
+    std::vector<Index> original;
+    for (Index v : place) { original.push_back(m_root_of[m_glued[v]]); }
+    d.is_touched = find_touched_vertices(c.surface, d.disc, original);
+    for (Index v : place) { m_local[v] = m_root_of[m_glued[v]] = -1; }
+    return d;
+  }
+
+private:
+  // Places the vertices of the root.
+  void place_root(const Surface_component& c, std::vector<Index>& place)
+  {
+    const Index n = m_input_vertices;
+    for (Index v : c.vertex_of)
+    {
+      const Index at = v < n ? v : v + m_new_vertices, original = v < n ? v : m_examination.added_vertex_of[v - n];
+      if (m_result.origin[at].kind != Result_origin::VERTEX || m_result.origin[at].index[0] != original)
+      {
+        refuse("vertex " + std::to_string(at) + " lies elsewhere");
+      }
+      if (m_root_of[m_glued[at]] >= 0) { refuse("a seam joins vertex " + std::to_string(at) + " to another"); }
+      m_local[at] = m_root_of[m_glued[at]] = static_cast<Index>(place.size());
+      place.push_back(at);
+    }
+  }
+
+  // The vertices of some faces that have no place yet, sorted.
+  std::vector<Index> find_others(const std::vector<Index>& faces)
+  {
+    std::vector<Index> others;
+    for (Index f : faces)
+      for (Index v : m_result.faces[f])
+      {
+        if (m_local[v] < 0)
+        {
+          m_local[v] = 0;
+          others.push_back(v);
+        }
+      }
+    std::sort(others.begin(), others.end());
+    return others;
+  }
+
+  const Examination& m_examination;
+  const Result_mesh& m_result;
+  Index m_input_vertices, m_new_vertices;
+  std::vector<Index> m_glued;   // of each vertex of the result
+  std::vector<Index> m_local;   // of each vertex of the result: in the disc, or -1
+  std::vector<Index> m_root_of; // of glued vertices: in the root, or -1
+};
+
 } // namespace
 
 Cut_disc cut_disc_of(const Triangle_surface& root, const Cut& cut)
@@ -89,83 +211,14 @@ Cut_disc cut_disc_of(const Triangle_surface& root, const Cut& cut)
 
 std::vector<Cut_disc> cut_discs_of(const Polygon_soup& input, const Examination& examination, const Result_mesh& result)
 {
-  const Index n = static_cast<Index>(input.points.size()),
-              added = static_cast<Index>(examination.added_vertex_of.size());
-  const Index size = static_cast<Index>(result.points.size()),
-              components = static_cast<Index>(examination.components.size());
-  const auto refuse = [](const std::string& what) {
-    throw Invalid_input_error("cut_discs_of: the result does not belong to the input: " + what);
-  };
-  if (result.copy_of.size() != result.points.size() || result.origin.size() != result.points.size()
-      || result.component_of.size() != result.faces.size())
-    refuse("its map has another size");
-  const Index new_vertices =
-    static_cast<Index>(std::count_if(result.copy_of.begin(), result.copy_of.end(), [](Index v) { return v < 0; })) - n;
-  if (new_vertices < 0 || size < n + new_vertices + added) { refuse("it has too few vertices"); }
-  for (const auto& t : result.faces)
-    for (Index v : t)
-    {
-      if (v < 0 || v >= size) { refuse("a face has a vertex " + std::to_string(v)); }
-    }
-  std::vector<std::vector<Index>> faces(components);
-  for (std::size_t f = 0; f < result.faces.size(); ++f)
+  const Index new_vertices = count_new_vertices(input, examination, result);
+  const std::size_t components = examination.components.size();
+  const auto faces = group_faces(result, static_cast<Index>(components));
+  Disc_extractor extractor(input, examination, result, new_vertices);
+  std::vector<Cut_disc> discs;
+  for (std::size_t i = 0; i < components; ++i)
   {
-    if (result.component_of[f] < 0 || result.component_of[f] >= components)
-    {
-      refuse("a face lies in component " + std::to_string(result.component_of[f]));
-    }
-    faces[result.component_of[f]].push_back(static_cast<Index>(f));
-  }
-
-  const std::vector<Index> glued = glue_seams(result);
-  // of a result's vertex: in the disc; of glued vertices: in the root
-  std::vector<Index> local(size, -1), root_of(size, -1), others;
-  std::vector<Cut_disc> discs(components);
-  for (Index i = 0; i < components; ++i)
-  {
-    const Surface_component& c = examination.components[i];
-    Triangle_surface& disc = discs[i].disc;
-    disc.points = c.surface.points;
-    std::vector<Index> place; // of the disc's vertices in the result
-    for (Index v : c.vertex_of)
-    {
-      const Index at = v < n ? v : v + new_vertices, original = v < n ? v : examination.added_vertex_of[v - n];
-      if (result.origin[at].kind != Result_origin::VERTEX || result.origin[at].index[0] != original)
-      {
-        refuse("vertex " + std::to_string(at) + " lies elsewhere");
-      }
-      if (root_of[glued[at]] >= 0) { refuse("a seam joins vertex " + std::to_string(at) + " to another"); }
-      local[at] = root_of[glued[at]] = static_cast<Index>(place.size());
-      place.push_back(at);
-    }
-    others.clear();
-    for (Index f : faces[i])
-      for (Index v : result.faces[f])
-      {
-        if (local[v] < 0)
-        {
-          local[v] = 0;
-          others.push_back(v);
-        }
-      }
-    std::sort(others.begin(), others.end());
-    for (Index v : others)
-    {
-      local[v] = static_cast<Index>(place.size());
-      place.push_back(v);
-      const auto& p = result.points[v];
-      disc.points.push_back({p[0] / c.unit, p[1] / c.unit, p[2] / c.unit});
-    }
-    for (Index f : faces[i])
-    {
-      const auto& t = result.faces[f];
-      disc.triangles.push_back({local[t[0]], local[t[1]], local[t[2]]});
-    }
-    connect(disc);
-    std::vector<Index> original;
-    for (Index v : place) { original.push_back(root_of[glued[v]]); }
-    discs[i].is_touched = find_touched_vertices(c.surface, disc, original);
-    for (Index v : place) { local[v] = root_of[glued[v]] = -1; }
+    discs.push_back(extractor.extract(examination.components[i], faces[i]));
   }
   return discs;
 }

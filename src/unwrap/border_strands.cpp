@@ -4,9 +4,13 @@
 #include <meridian/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -41,66 +45,105 @@ void find_least_steps(Border_strands& border)
   }
 }
 
+namespace {
+
+// Takes the border of a disc apart where seams meet or end.
+class Border_walk
+{
+public:
+  Border_walk(const Refined_surface& s, const Opened_surface& opened, const Triangle_surface& disc)
+    : m_surface(s), m_opened(opened), m_disc(disc), m_degree(s.number_of_vertices(), 0),
+      m_side_of(s.number_of_halfedges(), -1)
+  {
+    for (Index h = 0; h < s.number_of_halfedges(); ++h)
+    {
+      if (!s.seam[h]) { continue; }
+      if (s.opposite[h] < 0) { throw Internal_error("square_border: a seam lies on the boundary"); }
+      ++m_degree[s.source(h)];
+    }
+  }
+
+  Border_strands gather(std::vector<Index> loop)
+  {
+    const auto first = std::find_if(loop.begin(), loop.end(), [&](Index h) { return is_end(h); });
+    m_border.is_whole = first == loop.end();
+    if (!m_border.is_whole) { std::rotate(loop.begin(), first, loop.end()); }
+    for (std::size_t i = 0; i < loop.size();) { i = add_side(loop, i); }
+    find_least_steps(m_border);
+    return std::move(m_border);
+  }
+
+private:
+  Index below(Index v) const
+  {
+    return v < m_surface.number_of_vertices() ? v : m_opened.copy_of[v - m_surface.number_of_vertices()];
+  }
+
+  // Whether seams meet or end at the source of a halfedge of the disc.
+  bool is_end(Index h) const
+  {
+    const Index v = below(m_disc.source(h));
+    return m_degree[v] > 0 && (m_degree[v] != 2 || m_surface.is_boundary_vertex(v));
+  }
+
+  // Adds the side that begins at place `i` of the loop. Returns where it ends.
+  std::size_t add_side(const std::vector<Index>& loop, std::size_t i)
+  {
+    const Index h = loop[i], side = static_cast<Index>(m_border.sides.size());
+    Border_side& b = m_border.sides.emplace_back();
+    do {
+      m_side_of[loop[i]] = side;
+      b.vertices.push_back(m_disc.source(loop[i]));
+      ++i;
+    } while (i < loop.size() && !is_end(loop[i]));
+    b.vertices.push_back(m_disc.target(loop[i - 1]));
+    const Index twin = m_surface.opposite[h];
+    if (twin >= 0 && m_side_of[twin] == side) { throw Internal_error("square_border: a seam is its own mate"); }
+    if (twin >= 0 && m_side_of[twin] >= 0) { join_mate(side, m_side_of[twin]); }
+    else
+    {
+      b.strand = static_cast<Index>(m_border.strands.size());
+      Strand& strand = m_border.strands.emplace_back();
+      for (Index v : b.vertices) { strand.vertices.push_back(below(v)); }
+      space_strand(m_surface, strand);
+    }
+    return i;
+  }
+
+  // Makes a side the other one of a seam.
+  void join_mate(Index side, Index mate)
+  {
+    Border_side& b = m_border.sides[side];
+    b.mate = mate;
+    m_border.sides[mate].mate = side;
+    b.strand = m_border.sides[mate].strand;
+    b.is_reversed = true;
+    std::reverse(b.vertices.begin(), b.vertices.end());
+    if (b.vertices.size() != m_border.strands[b.strand].vertices.size())
+    {
+      throw Internal_error("square_border: the sides of a seam differ");
+    }
+  }
+
+  const Refined_surface& m_surface;
+  const Opened_surface& m_opened;
+  const Triangle_surface& m_disc;
+  std::vector<int> m_degree;    // of each vertex: seams at it
+  std::vector<Index> m_side_of; // of each halfedge, or -1
+  Border_strands m_border;
+};
+
+} // namespace
+
 Border_strands gather_border(const Refined_surface& s, const Opened_surface& opened, const Triangle_surface& disc)
 {
-  auto loops = boundary_loops(disc);
+  const auto loops = boundary_loops(disc);
   const int characteristic = disc.number_of_vertices() - disc.number_of_edges() + disc.number_of_faces();
   if (loops.size() != 1 || characteristic != 1)
     throw Invalid_input_error("a geometry image is made of a disc, but the surface has " + std::to_string(loops.size())
                               + " borders and Euler characteristic " + std::to_string(characteristic)
                               + " after it is cut");
-  std::vector<Index>& loop = loops.front();
-  const Index n = s.number_of_vertices();
-  const auto below = [&](Index v) { return v < n ? v : opened.copy_of[v - n]; };
-  std::vector<int> degree(n, 0);
-  for (Index h = 0; h < s.number_of_halfedges(); ++h)
-  {
-    if (!s.seam[h]) { continue; }
-    if (s.opposite[h] < 0) { throw Internal_error("square_border: a seam lies on the boundary"); }
-    ++degree[s.source(h)];
-  }
-  const auto is_end = [&](Index h) {
-    const Index v = below(disc.source(h));
-    return degree[v] > 0 && (degree[v] != 2 || s.is_boundary_vertex(v));
-  };
-  const auto first = std::find_if(loop.begin(), loop.end(), is_end);
-  Border_strands border;
-  border.is_whole = first == loop.end();
-  if (!border.is_whole) { std::rotate(loop.begin(), first, loop.end()); }
-
-  std::vector<Index> side_of(s.number_of_halfedges(), -1);
-  for (std::size_t i = 0; i < loop.size();)
-  {
-    const Index h = loop[i], side = static_cast<Index>(border.sides.size());
-    Border_side& b = border.sides.emplace_back();
-    do {
-      side_of[loop[i]] = side;
-      b.vertices.push_back(disc.source(loop[i]));
-      ++i;
-    } while (i < loop.size() && !is_end(loop[i]));
-    b.vertices.push_back(disc.target(loop[i - 1]));
-    const Index twin = s.opposite[h];
-    if (twin >= 0 && side_of[twin] == side) { throw Internal_error("square_border: a seam is its own mate"); }
-    if (twin >= 0 && side_of[twin] >= 0)
-    {
-      b.mate = side_of[twin];
-      border.sides[b.mate].mate = side;
-      b.strand = border.sides[b.mate].strand;
-      b.is_reversed = true;
-      std::reverse(b.vertices.begin(), b.vertices.end());
-      if (b.vertices.size() != border.strands[b.strand].vertices.size())
-      {
-        throw Internal_error("square_border: the sides of a seam differ");
-      }
-      continue;
-    }
-    b.strand = static_cast<Index>(border.strands.size());
-    border.strands.emplace_back();
-    for (Index v : b.vertices) { border.strands.back().vertices.push_back(below(v)); }
-    space_strand(s, border.strands.back());
-  }
-  find_least_steps(border);
-  return border;
+  return Border_walk(s, opened, disc).gather(loops.front());
 }
 
 void share_out(std::vector<Strand*> strands, int total)

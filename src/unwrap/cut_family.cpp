@@ -3,15 +3,20 @@
 
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
-#include <meridian/curves/contours.h>
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/field/eigenfunctions.h>
-#include <meridian/field/geodesic_distance.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/result/recount.h>
+#include <meridian/surface/Closed_model.h>
 #include <meridian/surface/measures.h>
 
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -56,55 +61,82 @@ std::optional<Family_member> Cut_family::next()
   return {};
 }
 
+namespace {
+
+std::string name_contours(Cut_options& o, const std::string& name)
+{
+  o.method = Cut_method::CONTOURS;
+  return name;
+}
+
+// Contours of an eigenfunction.
+std::string choose_eigenfunction(const Triangle_surface& root, int k, Cut_options& o)
+{
+  o.values = eigenfunction_field(root, k);
+  o.values_name = "eigenfunction " + std::to_string(k);
+  o.minima.clear();
+  o.maxima.clear();
+  return name_contours(o, o.values_name);
+}
+
+void choose_short_and_tight(Cut_options& o)
+{
+  o.preference = preference::short_length;
+  o.levels = Levels::TIGHT;
+}
+
+// Contours of a harmonic field between two vertices.
+void choose_ends(Index minimum, Index maximum, Cut_options& o)
+{
+  o.minima = {minimum};
+  o.maxima = {maximum};
+  o.values.clear();
+  choose_short_and_tight(o);
+}
+
+int genus_of(const Triangle_surface& root)
+{
+  return (2 - (root.number_of_vertices() - root.number_of_edges() + root.number_of_faces())
+          - static_cast<int>(boundary_loops(root).size()))
+         / 2;
+}
+
+} // namespace
+
 std::string Cut_family::choose(int i, Cut_options& o)
 {
-  const auto contours = [&](const char* name) {
-    o.method = Cut_method::CONTOURS;
-    return std::string(name);
-  };
-  const auto eigenfunction = [&](int k) {
-    o.values = eigenfunction_field(m_root, k);
-    o.values_name = "eigenfunction " + std::to_string(k);
-    o.minima.clear();
-    o.maxima.clear();
-    return contours("") + "eigenfunction " + std::to_string(k);
-  };
-  const auto short_and_tight = [&] {
-    o.preference = preference::short_length;
-    o.levels = Levels::TIGHT;
-  };
-  const int genus = (2 - (m_root.number_of_vertices() - m_root.number_of_edges() + m_root.number_of_faces())
-                     - static_cast<int>(boundary_loops(m_root).size()))
-                    / 2;
   switch (i)
   {
   case 0: return "as chosen";
-  case 1: short_and_tight(); return contours("harmonic, short and tight");
+  case 1: choose_short_and_tight(o); return name_contours(o, "harmonic, short and tight");
   case 2: o.method = Cut_method::TREE_COTREE; return "tree-cotree";
   case 3: o.method = Cut_method::GEODESIC; return "geodesic";
   case 4: o.method = Cut_method::GEOMETRY_IMAGE; return "geometry-image";
-  case 5: return eigenfunction(genus + 1);
+  case 5: return choose_eigenfunction(m_root, genus_of(m_root) + 1, o);
   case 6: o.method = Cut_method::GENERATORS; return "generators";
   case 7: o.method = Cut_method::MORSE; return "morse";
   case 8:
   {
     const auto [a, b] = find_curved_vertices(m_root);
-    o.minima = {a};
-    o.maxima = {b};
-    o.values.clear();
-    short_and_tight();
-    return contours("harmonic between curved vertices");
+    choose_ends(a, b, o);
+    return name_contours(o, "harmonic between curved vertices");
   }
-  case 9: o.preference = preference::mean_curvature; return contours("harmonic, mean curvature");
-  case 10: short_and_tight(); return eigenfunction(1);
+  case 9: o.preference = preference::mean_curvature; return name_contours(o, "harmonic, mean curvature");
+  case 10: choose_short_and_tight(o); return choose_eigenfunction(m_root, 1, o);
   case 11:
     o.links.bifurcations = true;
-    short_and_tight();
-    return contours("harmonic, with bifurcations");
+    choose_short_and_tight(o);
+    return name_contours(o, "harmonic, with bifurcations");
   default: break;
   }
-  // Pairs of spread vertices: (0, 2), (1, 2), (0, 3), ...
-  int k = i - 12, last = 2;
+  const auto [v, w] = spread_pair(i - 12);
+  choose_ends(v, w, o);
+  return name_contours(o, "harmonic between vertices " + std::to_string(v) + " and " + std::to_string(w));
+}
+
+std::pair<Index, Index> Cut_family::spread_pair(int k)
+{
+  int last = 2;
   while (k >= last) { k -= last++; }
   while (static_cast<int>(m_spread.size()) <= last)
   {
@@ -113,12 +145,7 @@ std::string Cut_family::choose(int i, Cut_options& o)
     m_spread.push_back(a);
     spread_to(*m_graph, a);
   }
-  const Index v = m_graph->representative[m_spread[k]], w = m_graph->representative[m_spread[last]];
-  o.minima = {v};
-  o.maxima = {w};
-  o.values.clear();
-  short_and_tight();
-  return contours("") + "harmonic between vertices " + std::to_string(v) + " and " + std::to_string(w);
+  return {m_graph->representative[m_spread[k]], m_graph->representative[m_spread[last]]};
 }
 
 void Cut_family::spread_to(const Closed_model& g, Index a)

@@ -11,11 +11,13 @@
 #include <meridian/unwrap/internal/square_corners.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 namespace meridian {
 
-using namespace internal;
+namespace internal {
 
 namespace {
 
@@ -56,6 +58,8 @@ Square_border lay_out(const Refined_surface& s, const Border_strands& border, in
 
 } // namespace
 
+} // namespace internal
+
 Square_border prepare_square_border(const Triangle_surface& root, Cut& cut, int size)
 {
   Triangle_surface disc = surface_of(cut.surface, cut.opened);
@@ -80,7 +84,7 @@ Square_border prepare_square_border(const Triangle_surface& root, Cut& cut, int 
   cut.opened = open_along(cut.surface);
 
   disc = surface_of(cut.surface, cut.opened);
-  const Square_border first = lay_out(cut.surface, border, first_corner, size);
+  const Square_border first = internal::lay_out(cut.surface, border, first_corner, size);
   std::vector<unsigned> sides(disc.number_of_vertices(), 0);
   for (std::size_t i = 0; i < first.loop.size(); ++i)
   {
@@ -95,7 +99,7 @@ Square_border prepare_square_border(const Triangle_surface& root, Cut& cut, int 
   insert_curves(root, cut.surface, middles);
   cut.opened = open_along(cut.surface);
   cut.smallest_angle_after = smallest_angle(cut.surface);
-  return lay_out(cut.surface, border, first_corner, size); // faces have changed
+  return internal::lay_out(cut.surface, border, first_corner, size); // faces have changed
 }
 
 } // namespace meridian

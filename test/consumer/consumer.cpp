@@ -1,4 +1,4 @@
-#include <meridian/mesh/face_graph.h>
+#include <meridian/cut_to_disc.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -4,6 +4,9 @@
 
 #include "sample_surfaces.h"
 
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Triangle_surface.h>
+
 namespace sample {
 
 using Distance = std::function<double(const Point&)>; // below 0 inside

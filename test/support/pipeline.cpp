@@ -1,8 +1,32 @@
 #include "pipeline.h"
 
-#include "instances.h"
-
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/vectors.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/field/Node_order.h>
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/field/Scalar_field.h>
+#include <meridian/field/critical_points.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/field/solve_harmonic_field.h>
+#include <meridian/handles/Generators.h>
 #include <meridian/handles/classify_generators.h>
+#include <meridian/handles/find_generators.h>
+#include <meridian/handles/find_shortest_basis.h>
+#include <meridian/map/Parameterization.h>
+#include <meridian/map/parameterize_disc.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/assemble_result.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/internal/Unwrapper.h>
+#include <meridian/unwrap/unwrap_surface.h>
 
 namespace pipeline {
 
@@ -12,8 +36,8 @@ Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const st
                       Weights weights)
 {
   const auto w = edge_weights(s, weights);
-  return weights == Weights::MEAN_VALUE ? solve_harmonic_field<General_solver_traits>(s, g, w, prescribed)
-                                        : solve_harmonic_field<Symmetric_solver_traits>(s, g, w, prescribed);
+  return weights == Weights::MEAN_VALUE ? solve_harmonic_field(s, g, w, prescribed, make_general_solver)
+                                        : solve_harmonic_field(s, g, w, prescribed);
 }
 
 Generators generators(const Triangle_surface& s, const Generator_options& options)

@@ -2,9 +2,23 @@
 #ifndef MERIDIAN_TEST_PIPELINE_H
 #define MERIDIAN_TEST_PIPELINE_H
 
-#include <meridian/proof/verify_cut.h>
-#include <meridian/result/assemble_result.h>
-#include <meridian/unwrap/unwrap_surface.h>
+#include <meridian/base/Polygon_soup.h>
+#include <meridian/base/Verification.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/field/Ordered_surface.h>
+#include <meridian/field/Scalar_field.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/field/solve_harmonic_field.h>
+#include <meridian/handles/Generators.h>
+#include <meridian/handles/find_shortest_basis.h>
+#include <meridian/map/Parameterization.h>
+#include <meridian/result/Assembled_result.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/internal/Unwrapper.h>
 
 namespace pipeline {
 

@@ -3,6 +3,7 @@
 #define MERIDIAN_TEST_SAMPLE_SURFACES_H
 
 #include <meridian/base/Polygon_soup.h>
+#include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <algorithm>

@@ -6,7 +6,10 @@
 
 #include "files/Output_files.h"
 
+#include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -15,7 +18,7 @@
 namespace unwrapped {
 
 using namespace meridian;
-using Texture = std::vector<std::array<double, 2>>;
+using Texture = std::vector<Plane_point>;
 
 // A folder that goes away with the test.
 struct Folder

@@ -14,9 +14,10 @@ namespace internal {
 // appended to `at`.
 std::vector<std::array<Index, 3>> triangulate_outside(const std::vector<Index>& loop, std::vector<Plane_point>& at);
 
-// The edges of the constrained Delaunay triangulation of the vertices of closed polygons, with the polygons' sides among
+// The edges of the constrained Delaunay triangulation of some vertices, with the sides of closed polygons of them among
 // them, in no order that means anything. Empty if two vertices coincide.
-std::vector<std::array<Index, 2>> constrained_delaunay_edges(const std::vector<std::vector<Index>>& polygons,
+std::vector<std::array<Index, 2>> constrained_delaunay_edges(const std::vector<Index>& vertices,
+                                                             const std::vector<std::vector<Index>>& polygons,
                                                              const std::vector<Plane_point>& at);
 
 } // namespace internal

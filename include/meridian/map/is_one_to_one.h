@@ -10,10 +10,6 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// \returns whether a polygon does not meet itself: exact
-bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at);
-
-/// \ingroup PkgMeridianParameterization
 /// \returns whether a map of a disc is one-to-one: no face is turned over or without area, and the border does not meet
 ///          itself. Decided exactly.
 bool is_one_to_one(const Triangle_surface& disc, const std::vector<Plane_point>& at);

@@ -25,6 +25,14 @@ std::vector<Index> find_flipped_faces(const std::vector<std::array<Index, 3>>& t
 /// \returns the area of the image
 double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at);
 
+/// \ingroup PkgMeridianParameterization
+/// \returns whether a polygon does not meet itself: exact
+bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at);
+
+/// \ingroup PkgMeridianParameterization
+/// \returns the corners of the convex hull of some points, counterclockwise: exact
+std::vector<Plane_point> convex_hull(const std::vector<Plane_point>& points);
+
 } // namespace meridian
 
 #endif // MERIDIAN_MAP_PLANAR_MAP_H

@@ -9,10 +9,13 @@
 #include <meridian/surface/Triangle_surface.h>
 
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -89,6 +92,9 @@ public:
 private:
   // Changes the options for choice `i`. Returns its name.
   std::string choose(int i, Cut_options& o);
+
+  // Pair `k` of spread vertices: (0, 2), (1, 2), (0, 3), ...
+  std::pair<Index, Index> spread_pair(int k);
 
   void spread_to(const Closed_model& g, Index a);
 

@@ -6,14 +6,19 @@
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/internal/disc_walk.h>
+#include <meridian/cut/internal/network_moves.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
+#include <queue>
 #include <set>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -75,6 +80,18 @@ private:
   // Dijkstra's algorithm on gaps, from all sides of the disc. Where two sides' cells touch there is a candidate.
   void grow();
 
+  // A cell begins at a gap, `d` away from its root, unless another is nearer.
+  void start(const Gap& g, double d, const Root& root);
+  void start_at_vertex(Index v, const std::vector<Index>& spokes, std::size_t side);
+  void start_on_curve(std::size_t side);
+  void start_on_boundary(std::size_t side);
+
+  // At the corner between side `i` and the next.
+  void start_at_corner(std::size_t i, const Network_star& star);
+
+  // From a gap through one of its faces.
+  void spread(const Gap& gap, Index face, double farthest);
+
   Disc_side known_as(Index root) const;
 
   // The longest curve whose two sides a candidate separates, and its length; -1 if there is none.
@@ -82,6 +99,44 @@ private:
 
   // The gaps from `g` back to where its cell begins; none if an exchange since then was on the way.
   std::vector<Gap> back_from(Gap g);
+
+  // A curve that may take the place of another.
+  struct New_curve
+  {
+    std::array<Root, 2> roots;
+    std::array<Index, 2> ends; // the vertices
+    std::vector<Normal_curves::Step> steps;
+  };
+  // What an exchange changes.
+  struct Changes
+  {
+    std::set<Index> edges, vertices;
+  };
+
+  // The steps through the gaps of a way, of which `before` come before the face `between`.
+  std::vector<Normal_curves::Step> steps_along(const std::vector<Gap>& way, std::size_t before, Index between);
+
+  // The curve of a candidate, if exchanges before this one have left it its way.
+  std::optional<New_curve> find_new_curve(const Candidate& c);
+
+  // Whether no exchange before this one may have put a curve's end in the way.
+  bool is_clear(const std::vector<Gap>& way) const;
+
+  // Whether a curve keeps off its ends, and never goes straight back.
+  bool is_proper(const New_curve& curve) const;
+
+  void note_change(Index curve, Changes& changes) const;
+
+  // Notes the curves that an exchange may take out.
+  void note_removed(const New_curve& curve, Index old, Changes& changes) const;
+
+  // False if there is no room.
+  bool put_in(const New_curve& curve);
+
+  void take_out(Index curve);
+
+  // Tightens the curves from `known` on. Returns by how much the network is shorter; 0 if some of them meet.
+  double tighten_from(Index known, const Tighten_options& options);
 
   bool try_exchange(const Candidate& c, const Tighten_options& options);
 
@@ -97,6 +152,8 @@ private:
   std::unordered_map<std::uint64_t, Reached> m_crowded; // of gaps on the others
   std::uint32_t m_run = 0;
   std::map<std::pair<std::size_t, std::size_t>, Candidate> m_candidates;
+  using Entry = std::tuple<double, Index, Index>; // distance and gap
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
 };
 
 } // namespace internal

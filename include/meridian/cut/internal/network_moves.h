@@ -4,7 +4,6 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
-#include <meridian/curves/internal/crossing_store.h>
 #include <meridian/curves/tighten_curves.h>
 
 #include <initializer_list>

@@ -8,6 +8,7 @@
 #include <meridian/surface/Refined_surface.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <queue>
@@ -66,6 +67,28 @@ private:
     Index by = -1; // the halfedge by which the face before was left; for a seed, that of its corner
     bool is_seed = false;
   };
+
+  // Cells grow face by face. `face` is reached, or, if it is -1, two cells meet at `halfedge`.
+  struct Growth_event
+  {
+    double key;
+    Index face, halfedge;
+    bool along;
+  };
+  struct Is_later
+  {
+    bool operator()(const Growth_event& x, const Growth_event& y) const
+    {
+      return std::tie(x.key, x.face, x.halfedge) > std::tie(y.key, y.face, y.halfedge);
+    }
+  };
+  using Growth = std::priority_queue<Growth_event, std::vector<Growth_event>, Is_later>;
+
+  // Grows the cells until contacts join all boundaries. Returns all contacts on the way, nearest first.
+  std::vector<Contact> collect_contacts();
+  void seed_cell(Index loop, Growth& growth);
+  Contact contact_of(const Growth_event& e) const;
+  void leave_face(Index f, const std::vector<char>& is_done, Growth& growth);
 
   template <class Function> void for_each_corner(Index loop, Function f) const
   {

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_CUT_INTERNAL_SLIT_SURFACE_H
 #define MERIDIAN_CUT_INTERNAL_SLIT_SURFACE_H
 
+#include <meridian/base/Union_find.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/sleeve.h>
 #include <meridian/surface/Refined_surface.h>
@@ -20,7 +21,7 @@ class Slit_surface
 public:
   Slit_surface(const Triangle_surface& root, Refined_surface& s, bool bifurcations);
 
-  // A vertex that shall be reached like a boundary; nothing happens if it lies on one.
+  // A vertex that shall be reached like a boundary; nothing happens if it lies on one. All come before the first link.
   void add_point(Index v);
 
   const Refined_surface& surface() const { return m_surface; }
@@ -29,7 +30,7 @@ public:
   const std::vector<Index>& vertices(Index loop) const { return m_vertices[loop]; }
   bool may_cross(Index h) const { return !m_surface.is_seam_or_boundary(h); }
   bool is_free(Index v) const { return !m_is_used[v]; }
-  bool are_joined(Index a, Index b) const { return find(a) == find(b); }
+  bool are_joined(Index a, Index b) const { return m_joined.find(a) == m_joined.find(b); }
   const std::vector<char>& was_changed() const { return m_was_changed; } // by a link, for each face; may be short
 
   // Inserts the shortest path of a sleeve. Returns its vertices.
@@ -41,7 +42,6 @@ private:
   Index add_loop();
   // The corners at the source of `h`, from `h` to the left as far as the next seam.
   void label_sector(Index h, Index loop);
-  Index find(Index a) const;
   Index loop_at(const Sleeve& sleeve, bool start) const;
   // Inserts a curve and keeps the labels of the corners that this moves to other faces. Returns its vertices.
   std::vector<Index> refine(const Surface_curve& curve, bool mark_seam);
@@ -53,7 +53,7 @@ private:
   std::vector<char> m_is_used; // of each vertex: on a boundary, a seam or a link
   std::vector<char> m_was_changed;
   std::vector<std::vector<Index>> m_vertices; // of each boundary
-  std::vector<Index> m_joined;                // union-find of boundaries
+  mutable Union_find m_joined{0};             // boundaries; finding one shortens the way to it
 };
 
 } // namespace internal

@@ -12,9 +12,9 @@
 #include <meridian/surface/measures.h>
 
 #include <boost/dynamic_bitset.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -43,6 +43,9 @@ public:
   boost::dynamic_bitset<> parity_of(const std::vector<Passing>& strip) const;
 
 private:
+  // When each node is entered and left on a tour of its tree, given as the halfedges to the neighbours of each node.
+  void tour(const std::vector<std::vector<Index>>& tree);
+
   const Triangle_surface& m_surface;
   const Closed_model& m_graph;
   std::vector<Index> m_edges;          // in neither tree

@@ -34,6 +34,19 @@ public:
 private:
   std::pair<Id, Id> ends(Id s) const;
 
+  void take_triangles(const Polygon_soup& input);
+
+  // Glues the sides of edges that have two. Returns those of edges with more.
+  std::vector<std::vector<Id>> glue_pairs(Id vertices, Union_find& fans);
+
+  // Glues those sides of one edge that are the only two between their fans.
+  void glue_crowded(const std::vector<Id>& sides, Union_find& fans);
+
+  // Returns the number of components.
+  int number_components();
+
+  void count_components(int components, Union_find& fans);
+
   void glue(Id a, Id b, Union_find& fans);
 };
 

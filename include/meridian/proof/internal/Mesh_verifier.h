@@ -53,6 +53,23 @@ protected:
   // glues.
   void check_subdivision();
 
+  struct Faults;
+  struct Division;
+  using Face_iterator = std::vector<Id>::const_iterator;
+
+  // Of each side of the result the side of a triangle that it lies on, or -1.
+  std::vector<Id> find_input_sides() const;
+
+  void find_mates(const std::vector<Id>& input_side, Faults& faults);
+
+  // The parts of each triangle: connected, Euler characteristic 1, and each side of the triangle divided from end to
+  // end.
+  void check_divisions(const std::vector<Id>& input_side, Faults& faults) const;
+
+  // Lists what some faces of one triangle have on its rim and inside.
+  void collect_division(Face_iterator first, Face_iterator last, const std::vector<Id>& input_side,
+                        Division& division) const;
+
   // How far along side k of triangle t a vertex lies.
   double along(Id v, Id t, int k) const;
 
@@ -61,6 +78,12 @@ protected:
 
   // Shared edges and seams are exactly the edges of the input's subdivision that are not on its boundary.
   void check_glueing();
+
+  // Returns of each side the one that a seam joins it to, or -1.
+  std::vector<Id> check_seams();
+
+  // With the seams glued, each component counts as on the input.
+  void check_glued_counts(const std::vector<Id>& seam);
 
   // Which corners of faces meet in one vertex of the result, by its shared edges.
   Union_find find_fans(Union_find* parts = nullptr);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_MESH_CUT_TO_DISC_H
+#define MERIDIAN_MESH_CUT_TO_DISC_H
+
+#include <meridian/base/exceptions.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/mesh/internal/with_maps.h>
+#include <meridian/mesh/make_triangle_surface.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/open_along.h>
+
+#include <type_traits>
+
+namespace meridian {
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * cuts a connected triangle mesh into a disc (see `cut_to_disc(const Triangle_surface&, const Cut_options&)`).
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam DiscMesh a model of `MutableFaceGraph` with an internal point map; it may be another type
+ * \param tm the mesh
+ * \param disc receives the disc: the vertices of `tm` in their order, then new ones, then copies
+ * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`),
+ *   `field_map` (a `ReadablePropertyMap` from vertices to `double`: the field whose contours are cut),
+ *   `vertex_weight_map` (the same: meridians keep to low weights)
+ * \returns the cut, recounted
+ * \pre `disc` is empty, `tm` is connected
+ * \throws Invalid_input_error, Solver_error, Cancelled as that function
+ */
+template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
+          std::enable_if_t<!std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options>, int> = 0>
+Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  static_assert(
+    internal::uses_only<internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(
+      static_cast<const NamedParameters*>(nullptr)),
+    "cut_to_disc() was given a named parameter it does not use");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Triangle_surface root = make_triangle_surface(tm);
+  Cut cut = cut_to_disc(
+    root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
+  const Verification recount = verify_cut(root, cut);
+  if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
+  const Triangle_surface opened = surface_of(cut.surface, cut.opened);
+  internal::build(opened.points, opened.triangles, disc);
+  return cut;
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_MESH_CUT_TO_DISC_H

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_MESH_MAKE_TRIANGLE_SURFACE_H
+#define MERIDIAN_MESH_MAKE_TRIANGLE_SURFACE_H
+
+#include <meridian/mesh/internal/convert.h>
+#include <meridian/mesh/parameters.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <type_traits>
+
+namespace meridian {
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * \returns a mesh as a `Triangle_surface`; vertices and faces are numbered in the order of `vertices(tm)` and
+ *          `faces(tm)`
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam NamedParameters a sequence of named parameters
+ * \param tm the mesh
+ * \param np optional: `vertex_point_map` (default: `get(CGAL::vertex_point, tm)`)
+ * \throws Invalid_input_error if a face is not a triangle, a vertex is isolated or a coordinate is not finite
+ * \par Complexity
+ * Linear.
+ */
+template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Triangle_surface make_triangle_surface(const TriangleMesh& tm,
+                                       const NamedParameters& np = CGAL::parameters::default_values())
+{
+  static_assert(internal::uses_only<CGAL::internal_np::vertex_point_t>(static_cast<const NamedParameters*>(nullptr)),
+                "make_triangle_surface() was given a named parameter it does not use");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return internal::convert(tm, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                                CGAL::get_const_property_map(CGAL::vertex_point, tm)));
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_MESH_MAKE_TRIANGLE_SURFACE_H

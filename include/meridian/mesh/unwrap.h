@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_MESH_UNWRAP_H
+#define MERIDIAN_MESH_UNWRAP_H
+
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/base/list_elements.h>
+#include <meridian/base/vectors.h>
+#include <meridian/map/pack_charts.h>
+#include <meridian/map/planar_map.h>
+#include <meridian/mesh/make_triangle_surface.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/unwrap_surface.h>
+
+namespace meridian {
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * gives a connected triangle mesh texture coordinates in the unit square, without flipped faces; seams are edges of the
+ * mesh (see `unwrap_surface()`).
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam HalfedgeUVMap a model of `WritablePropertyMap` from halfedges to points of the plane that are constructible
+ *         from two numbers
+ * \tparam NamedParameters a sequence of named parameters
+ * \param tm the mesh
+ * \param uv receives, for each halfedge of a face, the coordinates of its target in that face
+ * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are
+ *   numbered in the order of `vertices(tm)`)
+ * \returns the cut and its map, recounted
+ * \pre `tm` is connected
+ * \throws Invalid_input_error if the mesh is too coarse for a cut of edges; Solver_error if no map without flipped
+ *   faces is found; Cancelled
+ * \par Complexity
+ * That of `unwrap_surface()`.
+ */
+template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
+                  const NamedParameters& np = CGAL::parameters::default_values())
+{
+  static_assert(internal::uses_only<internal_np::unwrap_options_t>(static_cast<const NamedParameters*>(nullptr)),
+                "unwrap() was given a named parameter it does not use");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Triangle_surface root = make_triangle_surface(tm);
+  Unwrap_options options = choose_parameter(get_parameter(np, internal_np::unwrap_options), Unwrap_options());
+  options.cut.on_edges = true;
+  options.cut.refine_where_needed = false;
+  options.image_size = 0;
+  Unwrapping u = unwrap_surface(root, options);
+  const Verification recount = verify_cut(root, u.cut);
+  if (!recount) { throw Internal_error("unwrap: the recount found " + recount.failures.front()); }
+  std::vector<Chart> charts{{&u.disc.triangles, u.map.at, 1}};
+  pack_charts(charts);
+  const auto flipped = find_flipped_faces(u.disc.triangles, charts.front().at);
+  if (!flipped.empty())
+  {
+    throw Solver_error(internal::list_elements("faces are turned over or have no area in the plane", flipped));
+  }
+  std::size_t f = 0;
+  for (auto face : faces(tm))
+  {
+    int k = 0;
+    for (auto h : CGAL::halfedges_around_face(halfedge(face, tm), tm))
+    {
+      const Plane_point& p = charts.front().at[u.disc.triangles[f][k++]];
+      put(uv, h, typename boost::property_traits<HalfedgeUVMap>::value_type(p[0], p[1]));
+    }
+    ++f;
+  }
+  return u;
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_MESH_UNWRAP_H

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_UNWRAP_H
+#define MERIDIAN_UNWRAP_H
+
+/// \file
+/// Gives a triangle mesh texture coordinates without flipped faces.
+
+#include <meridian/mesh/unwrap.h>
+
+#endif // MERIDIAN_UNWRAP_H

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "end_run.h"
+
+#include <meridian/base/exceptions.h>
+
+#include <iostream>
+
+namespace meridian {
+namespace program {
+
+int end_run(const Common_arguments& arguments, const Verification& verification, files::Output_files& out,
+            Terminal& terminal, const Last_words& words)
+{
+  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
+  out.commit();
+  terminal.clear();
+  for (const std::string& failure : verification.failures)
+  {
+    std::cerr << "meridian: not verified: " << failure << '\n';
+  }
+  if (!arguments.quiet)
+  {
+    for (const std::string& repair : words.repairs) { std::cout << "note: " << repair << '\n'; }
+    for (const std::string& note : words.notes) { std::cout << "note: " << note << '\n'; }
+    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << words.summary
+              << '\n';
+  }
+  return verification ? VERIFIED : NOT_VERIFIED;
+}
+
+} // namespace program
+} // namespace meridian

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_END_RUN_H
+#define MERIDIAN_END_RUN_H
+
+#include "Terminal.h"
+#include "files/Output_files.h"
+
+#include <meridian/base/Verification.h>
+
+#include <string>
+#include <vector>
+
+namespace meridian {
+namespace program {
+
+// What is said when a run ends well.
+struct Last_words
+{
+  std::vector<std::string> repairs, notes;
+  std::string summary;
+};
+
+// Writes the files, all or none, and says what was found. Returns the exit status.
+// Throws Cancelled if a signal came: then nothing is written.
+int end_run(const Common_arguments& arguments, const Verification& verification, files::Output_files& out,
+            Terminal& terminal, const Last_words& words);
+
+} // namespace program
+} // namespace meridian
+
+#endif // MERIDIAN_END_RUN_H

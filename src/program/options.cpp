@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "options.h"
+
+namespace meridian {
+namespace program {
+
+const char* const repair_help = "split edges with three or more faces instead of refusing the mesh";
+
+namespace {
+
+void add_preferences(CLI::App& command, Field_arguments& a)
+{
+  command
+    .add_option("--prefer", a.prefer,
+                "which loops are cut first: with high gaussian-curvature or mean-curvature at the saddle, of short "
+                "length, in a position far out, hidden from an eye, or through low weights")
+    ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position", "hidden", "weights"}))
+    ->capture_default_str()
+    ->group("The meridians");
+  command
+    .add_option("--vertex-weights", a.vertex_weights,
+                "with --prefer weights: a text file of numbers, one a vertex of MESH, high where loops shall not be")
+    ->type_name("FILE")
+    ->group("The meridians");
+  command
+    .add_option("--levels", a.levels,
+                "take loops near their saddle, or where they are tightest between two critical levels")
+    ->check(CLI::IsMember({"saddle", "tight"}))
+    ->capture_default_str()
+    ->group("The meridians");
+  command
+    .add_option("--direction", a.direction,
+                "with --prefer position: loops far out in this direction first; with hidden: towards the eye")
+    ->expected(3)
+    ->type_name("X Y Z")
+    ->group("The meridians");
+}
+
+void add_link_options(CLI::App& command, Cut_arguments& a)
+{
+  command
+    .add_option("--join", a.join,
+                "with --method generators: join the pairs by shortest paths on the surface, along the quasi "
+                "Morse-Smale complex, or along its paths between the meridians' saddles")
+    ->check(CLI::IsMember({"surface", "complex", "saddles"}))
+    ->capture_default_str()
+    ->group("The links");
+  command
+    .add_option("--links", a.links,
+                "join the boundaries by shortest paths on the surface, or through a plane embedding")
+    ->check(CLI::IsMember({"surface", "plane"}))
+    ->capture_default_str()
+    ->group("The links");
+  command.add_flag("--bifurcations", a.bifurcations, "let links end on other links, which makes the cut shorter")
+    ->group("The links");
+  command.add_option("--source", a.source, "a vertex of MESH that the links shall pass through")
+    ->type_name("V")
+    ->group("The links");
+}
+
+} // namespace
+
+void add_common_options(CLI::App& command, Common_arguments& a)
+{
+  command.add_option("--report", a.report, "write everything that was counted and measured as JSON")->type_name("FILE");
+  command.add_flag("--quiet", a.quiet, "print nothing but errors");
+}
+
+void add_field_options(CLI::App& command, Field_arguments& a)
+{
+  command
+    .add_option("--field", a.field,
+                "the field whose contours are cut: harmonic, an eigenfunction of the Laplacian, or the geodesic "
+                "distance from a vertex")
+    ->check(CLI::IsMember({"harmonic", "eigenfunction", "distance"}))
+    ->capture_default_str()
+    ->group("The field");
+  command.add_option("--values", a.values, "a field from a text file of numbers, one a vertex of MESH")
+    ->type_name("FILE")
+    ->group("The field");
+  command.add_option("--eigenfunction", a.eigenfunction, "which one, from 1; otherwise the genus + 1")
+    ->check(CLI::Range(1, 1000000000))
+    ->group("The field");
+  command.add_option("--weights", a.weights, "discretization of the Laplacian")
+    ->check(CLI::IsMember({"positive", "mean-value", "cotangent", "intrinsic-delaunay"}))
+    ->capture_default_str()
+    ->group("The field");
+  command
+    .add_option("--extrema", a.extrema,
+                "where a harmonic field is lowest and highest: at two vertices far apart, or at the extrema of "
+                "eigenfunctions with the highest curvature")
+    ->check(CLI::IsMember({"distant", "curved"}))
+    ->capture_default_str()
+    ->group("The field");
+  command.add_option("--minimum", a.minima, "vertices of MESH (from 0) where the field is lowest, instead")
+    ->type_name("V...")
+    ->group("The field");
+  command.add_option("--maximum", a.maxima, "vertices of MESH where the field is highest")
+    ->type_name("V...")
+    ->group("The field");
+  command.add_option("--from", a.from, "a vertex of MESH (from 0): where distances begin, or the loops of tree-cotree")
+    ->type_name("V")
+    ->group("The field");
+  add_preferences(command, a);
+}
+
+void add_cut_options(CLI::App& command, Cut_arguments& a)
+{
+  command.add_option("--view", a.view, "write a page that shows the result in a browser")->type_name("FILE");
+  command.add_option("--curves", a.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
+  add_common_options(command, a);
+  command.add_flag("--repair", a.repair, repair_help);
+  add_field_options(command, a);
+  command
+    .add_option("--method", a.method,
+                "what cuts the handles: a contour each, a meridian and a longitude each, the descending flow lines "
+                "of all saddles, contours of the geodesic distance, shortest loops of edges at a base point, or the "
+                "edges left when faces are removed")
+    ->check(CLI::IsMember({"contours", "generators", "morse", "geodesic", "tree-cotree", "geometry-image"}))
+    ->capture_default_str();
+  command
+    .add_option("--bases", a.bases,
+                "with --method tree-cotree: how many base points are tried, unless --from names one")
+    ->check(CLI::Range(1, 1000000000))
+    ->capture_default_str();
+  command
+    .add_option("--tighten", a.tighten,
+                "shorten nothing, the curves within their classes, or the whole graph, whose vertices then move and "
+                "whose paths may change places")
+    ->check(CLI::IsMember({"no", "curves", "graph"}))
+    ->capture_default_str();
+  command.add_flag("--on-edges", a.on_edges, "cut existing edges only, so that there are no new vertices");
+  command.add_flag("--refine-where-needed", a.refine_where_needed,
+                   "with --on-edges: divide the triangles where the mesh is too coarse for disjoint loops of edges");
+  add_link_options(command, a);
+}
+
+void note_field_options(const CLI::App& command, Field_arguments& a)
+{
+  a.has_direction = command.count("--direction") > 0;
+  a.has_from = command.count("--from") > 0;
+  a.has_extrema = command.count("--extrema") > 0;
+}
+
+void note_cut_options(const CLI::App& command, Cut_arguments& a)
+{
+  note_field_options(command, a);
+  a.has_source = command.count("--source") > 0;
+  a.has_bases = command.count("--bases") > 0;
+}
+
+} // namespace program
+} // namespace meridian

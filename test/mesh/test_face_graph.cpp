@@ -1,0 +1,163 @@
+#include "support/sample_surfaces.h"
+
+#include <meridian/cut_to_disc.h>
+#include <meridian/find_generators.h>
+#include <meridian/mesh/solve_harmonic_field.h>
+#include <meridian/unwrap.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/mpl/list.hpp>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Mesh_types = boost::mpl::list<Mesh, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_3>>;
+using namespace meridian;
+
+namespace {
+
+template <class TriangleMesh> TriangleMesh build_mesh(const Triangle_surface& s)
+{
+  TriangleMesh tm;
+  internal::build(s.points, s.triangles, tm);
+  return tm;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_converts_there_and_back, TriangleMesh, Mesh_types)
+{
+  const auto s = sample::punctured(sample::plate(2), {20});
+  const auto again = make_triangle_surface(build_mesh<TriangleMesh>(s));
+  BOOST_TEST((again.points == s.points));
+  BOOST_TEST(again.number_of_faces() == s.number_of_faces());
+  BOOST_TEST(boundary_loops(again).size() == 1u);
+  BOOST_TEST(sample::euler_characteristic(again) == sample::euler_characteristic(s));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_cut_into_a_disc, TriangleMesh, Mesh_types)
+{
+  const auto tm = build_mesh<TriangleMesh>(sample::noisy(sample::plate(2, 3), 0.1, 1));
+  TriangleMesh disc;
+  Cut_options options;
+  options.preference = preference::short_length;
+  const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options));
+  BOOST_TEST(cut.meridians.size() == 2u);
+  BOOST_TEST(CGAL::is_valid_polygon_mesh(disc));
+  const auto edges_of_disc = static_cast<int>(std::distance(edges(disc).first, edges(disc).second));
+  BOOST_TEST(static_cast<int>(num_vertices(disc)) - edges_of_disc + static_cast<int>(num_faces(disc)) == 1);
+  TriangleMesh by_default;
+  BOOST_TEST(cut_to_disc(tm, by_default).genus == 2);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(generators_are_closed_paths_of_a_refined_mesh, TriangleMesh, Mesh_types)
+{
+  const auto tm = build_mesh<TriangleMesh>(sample::noisy(sample::plate(2, 3), 0.1, 1));
+  TriangleMesh refined;
+  std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>> curves;
+  Generator_options options;
+  options.flow = false;
+  const Generators g = find_generators(tm, refined, std::back_inserter(curves), parameters::generator_options(options));
+  BOOST_TEST(g.pairs.size() == 2u);
+  BOOST_TEST(curves.size() == 4u);
+  for (const auto& path : curves)
+    for (std::size_t i = 0; i < path.size(); ++i)
+    {
+      BOOST_TEST(halfedge(path[i], path[(i + 1) % path.size()], refined).second);
+    }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(halfedges_receive_texture_coordinates, TriangleMesh, Mesh_types)
+{
+  using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
+  const auto tm = build_mesh<TriangleMesh>(sample::torus(12, 8));
+  std::map<Halfedge, Kernel::Point_2> uv;
+  const Unwrapping u = unwrap(tm, boost::make_assoc_property_map(uv), parameters::unwrap_options(Unwrap_options()));
+  BOOST_TEST(uv.size() == 3 * num_faces(tm));
+  int seams = 0;
+  for (auto f : faces(tm))
+  {
+    const auto h = halfedge(f, tm);
+    BOOST_TEST((CGAL::orientation(uv[h], uv[next(h, tm)], uv[prev(h, tm)]) == CGAL::LEFT_TURN));
+  }
+  for (auto h : halfedges(tm))
+  {
+    seams += uv[h] != uv[prev(opposite(h, tm), tm)] || uv[prev(h, tm)] != uv[opposite(h, tm)];
+  }
+  BOOST_TEST(seams == 2 * static_cast<int>(u.cut.opened.seams.size()));
+  std::map<Halfedge, Kernel::Point_2> by_default;
+  unwrap(tm, boost::make_assoc_property_map(by_default));
+  BOOST_TEST((by_default == uv));
+}
+
+BOOST_AUTO_TEST_CASE(the_cut_graph_is_an_edge_map_of_the_refined_mesh)
+{
+  const auto tm = build_mesh<Mesh>(sample::noisy(sample::plate(1, 3), 0.1, 1));
+  Mesh disc, refined;
+  const auto cut = cut_to_disc(tm, disc);
+  auto is_cut = refined.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
+  build_refined_mesh(cut, refined, is_cut);
+  std::size_t n = 0;
+  for (auto e : refined.edges()) { n += is_cut[e]; }
+  BOOST_TEST(n == cut.opened.seams.size());
+  BOOST_TEST(CGAL::is_closed(refined));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_field_lies_between_its_prescribed_values, TriangleMesh, Mesh_types)
+{
+  const auto tm = build_mesh<TriangleMesh>(sample::torus(20, 12));
+  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
+  std::vector<Vertex> all(vertices(tm).begin(), vertices(tm).end());
+  std::map<Vertex, double> values;
+  solve_harmonic_field(tm, std::vector<Vertex>{all[0]}, std::vector<Vertex>{all[100]},
+                       boost::make_assoc_property_map(values));
+  BOOST_TEST(values.size() == all.size());
+  BOOST_TEST(values[all[0]] == 0);
+  BOOST_TEST(values[all[100]] == 1);
+  for (const auto& [v, x] : values) { BOOST_REQUIRE((x >= 0 && x <= 1)); }
+  BOOST_CHECK_THROW(solve_harmonic_field(tm, std::vector<Vertex>{}, std::vector<Vertex>{all[1]},
+                                         boost::make_assoc_property_map(values)),
+                    Invalid_input_error);
+}
+
+// Known answer: contours of the height of a torus on edge are two level circles around its tube, one on each side.
+BOOST_AUTO_TEST_CASE_TEMPLATE(maps_give_fields_and_weights, TriangleMesh, Mesh_types)
+{
+  const auto tm = build_mesh<TriangleMesh>(sample::torus(40, 16));
+  std::map<typename boost::graph_traits<TriangleMesh>::vertex_descriptor, double> height, weight;
+  Cut_options options;
+  options.tightening = Tightening::NONE;
+  for (const double sign : {1., -1.})
+  {
+    for (auto v : vertices(tm))
+    {
+      height[v] = get(CGAL::vertex_point, tm, v)[0];
+      weight[v] = sign * get(CGAL::vertex_point, tm, v)[1];
+    }
+    TriangleMesh disc;
+    const auto cut = cut_to_disc(tm, disc,
+                                 parameters::cut_options(options)
+                                   .field_map(boost::make_assoc_property_map(height))
+                                   .vertex_weight_map(boost::make_assoc_property_map(weight)));
+    for (Index v : cut.meridians.front())
+    {
+      BOOST_TEST(std::abs(cut.surface.points[v][0] - cut.surface.points[cut.meridians.front().front()][0]) < 0.2);
+      BOOST_TEST(sign * cut.surface.points[v][1] < 0); // where the weight is low
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(quadrilaterals_are_refused_by_name)
+{
+  Mesh tm;
+  std::vector<Mesh::Vertex_index> v;
+  for (const Point& p : {Point{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}})
+  {
+    v.push_back(tm.add_vertex({p[0], p[1], p[2]}));
+  }
+  tm.add_face(v);
+  BOOST_CHECK_EXCEPTION(make_triangle_surface(tm), Invalid_input_error,
+                        [](const auto& e) { return std::string(e.what()).find("face 0 has 4 corners") == 0; });
+}

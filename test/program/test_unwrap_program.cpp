@@ -1,0 +1,293 @@
+// `meridian unwrap` and `compare` as a person runs them.
+#include <boost/test/unit_test.hpp>
+
+#include "support/run_program.h"
+#include "support/sample_surfaces.h"
+
+#include "files/png.h"
+#include "files/read_mesh.h"
+#include "files/write_mesh.h"
+
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+#include <meridian/surface/Triangle_surface.h>
+
+#include <nlohmann/json.hpp>
+
+#include <sstream>
+
+using namespace meridian;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+std::string obj(const Triangle_surface& s)
+{
+  Result_mesh m;
+  m.points = s.points;
+  m.faces = s.triangles;
+  return files::format_mesh("x.obj", m);
+}
+
+std::vector<std::string> lines_of(const std::string& text, const std::string& key)
+{
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);)
+  {
+    if (line.compare(0, key.size() + 1, key + " ") == 0) { lines.push_back(line); }
+  }
+  return lines;
+}
+
+struct Fixture : program::Workplace
+{
+  Fixture() { write("mesh.obj", obj(sample::noisy(sample::punctured(sample::plate(2, 4), {30}), 0.05, 1))); }
+  nlohmann::json json(const std::string& name) const { return nlohmann::json::parse(program::read(folder() / name)); }
+  std::string text(const std::string& name) const { return program::read(folder() / name); }
+};
+
+} // namespace
+
+BOOST_FIXTURE_TEST_CASE(an_unwrapping_writes_its_files_and_verify_agrees, Fixture)
+{
+  const auto r = meridian("unwrap mesh.obj -o uv.obj --report report.json --svg layout.svg --png board.png "
+                          "--distortion faces.vtp --curves curves.obj --view page.html");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_TEST(r.error == "");
+  BOOST_TEST(contains(r.out, "no face is turned over"));
+  BOOST_TEST(number_of_files() == 10u); // those named, the map and the material
+  const auto report = json("report.json");
+  BOOST_TEST(report["verified"] == true);
+  const auto& p = report["components"][0]["parameterization"];
+  BOOST_TEST(p["method"] == "symmetric-dirichlet");
+  BOOST_TEST(p["flipped"] == 0);
+  BOOST_TEST(p["one_to_one"] == true);
+  for (const char* key : {"stretch_l2", "stretch_linf", "conformal", "areal"})
+  {
+    BOOST_TEST(p[key].get<double>() >= 1);
+  }
+  for (const char* key : {"angle", "area"}) { BOOST_TEST(p[key].get<double>() > 0); }
+  BOOST_TEST(report["texture"]["coverage"].get<double>() > 0.2);
+
+  // One v a vertex: the file's first, as they stood.
+  const auto before = lines_of(text("mesh.obj"), "v"), after = lines_of(text("uv.obj"), "v"),
+             coordinates = lines_of(text("uv.obj"), "vt");
+  BOOST_TEST_REQUIRE(after.size() >= before.size());
+  for (std::size_t i = 0; i < before.size(); ++i) { BOOST_TEST(before[i] == after[i]); }
+  BOOST_TEST(coordinates.size() == report["texture"]["coordinates"]);
+  BOOST_TEST(coordinates.size() > after.size()); // seams
+  const auto faces = lines_of(text("uv.obj"), "f");
+  BOOST_TEST(contains(text("uv.obj"), "mtllib uv.mtl\n"));
+  BOOST_TEST(contains(text("uv.mtl"), "map_Kd board.png"));
+  BOOST_TEST(files::read_png((folder() / "board.png").string()).width == 1024);
+  BOOST_TEST(contains(text("faces.vtp"), "Name=\"stretch_l2\""));
+  BOOST_TEST(files::read_mesh((folder() / "faces.vtp").string()).number_of_polygons() == faces.size());
+
+  const auto verify = meridian("verify mesh.obj uv.obj --report verified.json");
+  BOOST_TEST(verify.status == 0, verify.error);
+  BOOST_TEST(contains(verify.out, "no face is turned over in the plane"));
+  BOOST_TEST(json("verified.json")["components"][0]["cut"]["euler_characteristic"] == 1);
+
+  const std::string first =
+    text("uv.obj") + text("uv.map.json") + text("layout.svg") + text("page.html") + text("board.png");
+  BOOST_TEST(meridian("unwrap mesh.obj -o uv.obj --svg layout.svg --png board.png --view page.html --quiet").out == "");
+  // to the byte
+  BOOST_TEST(
+    (first == text("uv.obj") + text("uv.map.json") + text("layout.svg") + text("page.html") + text("board.png")));
+}
+
+BOOST_FIXTURE_TEST_CASE(on_edges_the_mesh_comes_back_unchanged_but_for_its_coordinates, Fixture)
+{
+  // Quadrangles and a triangle: a torus of 12 x 8 of them.
+  std::string mesh;
+  const Triangle_surface t = sample::torus(12, 8);
+  for (const Point& p : t.points)
+  {
+    mesh += "v " + std::to_string(p[0]) + ' ' + std::to_string(p[1]) + ' ' + std::to_string(p[2]) + '\n';
+  }
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 8; ++j)
+    {
+      const auto at = [&](int a, int b) { return std::to_string((a % 12) * 8 + b % 8 + 1); };
+      if (i + j == 0)
+      {
+        mesh += "f " + at(0, 0) + ' ' + at(1, 0) + ' ' + at(1, 1) + "\nf " + at(0, 0) + ' ' + at(1, 1) + ' ' + at(0, 1)
+                + '\n';
+      }
+      else { mesh += "f " + at(i, j) + ' ' + at(i + 1, j) + ' ' + at(i + 1, j + 1) + ' ' + at(i, j + 1) + '\n'; }
+    }
+  write("quads.obj", mesh);
+  BOOST_TEST_REQUIRE(meridian("unwrap quads.obj -o uv.obj --on-edges --tighten graph --quiet").status == 0);
+  BOOST_TEST(meridian("verify quads.obj uv.obj --quiet").status == 0);
+  const auto before = lines_of(mesh, "v"), after = lines_of(text("uv.obj"), "v");
+  BOOST_TEST(before.size() == after.size());
+  std::size_t whole = 0, next = 0;
+  const auto faces = lines_of(text("uv.obj"), "f"), old = lines_of(mesh, "f");
+  for (const std::string& line : old)
+  {
+    BOOST_TEST_REQUIRE(next < faces.size());
+    std::istringstream in(faces[next]);
+    std::string plain, word;
+    while (in >> word) { plain += (plain.empty() ? "" : " ") + word.substr(0, word.find('/')); }
+    if (plain == line)
+    {
+      ++whole;
+      ++next;
+    }
+    else { next += 2; } // a seam divides it
+  }
+  BOOST_TEST(next == faces.size());
+  BOOST_TEST(whole > old.size() * 3 / 4);
+
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --on-edges --quiet").status == 0);
+  BOOST_TEST((lines_of(text("mesh.obj"), "v") == lines_of(text("uv.obj"), "v")));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_result_that_was_changed_is_not_verified, Fixture)
+{
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --quiet").status == 0);
+  const std::string good = text("uv.obj");
+  const auto expect = [&](const std::string& bytes, const std::string& reason) {
+    write("uv.obj", bytes);
+    const auto v = meridian("verify mesh.obj uv.obj");
+    BOOST_TEST(v.status != 0);
+    BOOST_TEST(contains(v.error, reason), v.error);
+  };
+  const std::size_t at = good.find("\nvt ") + 4, end = good.find('\n', at);
+  expect(good.substr(0, at) + "0.99 0.99" + good.substr(end), "turned over");
+  expect(good.substr(0, at) + "3 4" + good.substr(end), "outside of the unit square");
+  const std::size_t point = good.find("v ");
+  expect(good.substr(0, point) + "v 9 9 9" + good.substr(good.find('\n', point)), "not at the position");
+  const std::size_t face = good.find("\nf ") + 1;
+  expect(good.substr(0, face) + good.substr(good.find('\n', face) + 1), "not of this mesh");
+}
+
+BOOST_FIXTURE_TEST_CASE(every_method_of_the_program_is_verified, Fixture)
+{
+  for (const std::string option :
+       {"--parameterization lscm", "--parameterization arap", "--parameterization conformal",
+        "--parameterization authalic --border square", "--parameterization mean-value",
+        "--parameterization tutte --border square --on-edges", "--parameterization positive", "--border square",
+        "--parameterization stretch --border square", "--border circle", "--family 3", "--family 3 --stretch-weight 1",
+        "--max-stretch 1.02", "--method generators"})
+  {
+    const auto r = meridian("unwrap mesh.obj -o uv.obj --report report.json " + option);
+    BOOST_TEST(r.status == 0, option + ": " + r.error);
+    const auto verify = meridian("verify mesh.obj uv.obj");
+    BOOST_TEST(verify.status == 0, option + ": " + verify.error);
+    const auto p = json("report.json")["components"][0]["parameterization"];
+    if (contains(option, "--family")) { BOOST_TEST(p["family"].size() == 3u); }
+    if (contains(option, "--border square") && !contains(option, "on-edges"))
+    {
+      BOOST_TEST(p["border"] == "square", option);
+    }
+    if (p["attempts"].size() > 1) { BOOST_TEST(contains(r.out, "note: component 0: mapped by"), option); }
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(geometry_images_are_written_and_come_back, Fixture)
+{
+  write("torus.obj", obj(sample::torus(24, 16)));
+  const auto r = meridian("unwrap torus.obj -o uv.obj --geometry-image 65 --report report.json");
+  BOOST_TEST_REQUIRE(r.status == 0, r.error);
+  BOOST_TEST(meridian("verify torus.obj uv.obj").status == 0);
+  const auto image = json("report.json")["geometry_image"];
+  BOOST_TEST(image["genus"] == 1);
+  BOOST_TEST(image["boundary_loops"] == 0);
+  BOOST_TEST(image["psnr"].get<double>() > 50);
+  BOOST_TEST(image["hausdorff"].get<double>() > 0);
+  const auto png = files::read_png((folder() / "uv.geometry.png").string());
+  BOOST_TEST(png.width == 65);
+  BOOST_TEST(png.height == 65);
+  BOOST_TEST(png.bits == 16);
+  BOOST_TEST(png.channels == 3);
+  // The lower left pixel is the point with the texture coordinates (0, 0).
+  const auto remesh = files::read_mesh((folder() / "uv.remesh.obj").string());
+  BOOST_TEST(remesh.number_of_polygons() == 2u * 64 * 64);
+  BOOST_TEST(contains(meridian("info uv.remesh.obj").out, "genus 1"));
+  const auto small = meridian("unwrap mesh.obj -o no.obj --geometry-image 5");
+  BOOST_TEST(small.status == 1);
+  BOOST_TEST(contains(small.error, "least size"));
+  write("two.obj", obj(sample::torus(8, 6)) + "v 9 0 0\nv 9 1 0\nv 9 0 1\nf 49 50 51\n");
+  const auto two = meridian("unwrap two.obj -o no.obj --geometry-image 33");
+  BOOST_TEST(two.status == 1);
+  BOOST_TEST(contains(two.error, "one component"));
+  BOOST_TEST(meridian("unwrap two.obj -o two_uv.obj --quiet").status == 0);
+  BOOST_TEST(meridian("verify two.obj two_uv.obj").status == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(two_cuts_are_compared, Fixture)
+{
+  write("torus.obj", obj(sample::torus(40, 24)));
+  BOOST_TEST_REQUIRE(meridian("cut torus.obj -o a.off --quiet").status == 0);
+  BOOST_TEST_REQUIRE(meridian("unwrap torus.obj -o b.obj --method tree-cotree --quiet").status == 0);
+  const auto r = meridian("compare torus.obj --cut a.off --cut b.obj --report report.json");
+  BOOST_TEST(r.status == 0, r.error);
+  const auto c = json("report.json")["components"][0];
+  BOOST_TEST(c["untouched"] > 100);
+  BOOST_TEST(c["bound"].get<double>() > 0);
+  BOOST_TEST(c["bound"].get<double>() <= c["variation"].get<double>());
+  BOOST_TEST(c["maps"].size() == 2u);
+  // the first of the family is the cut as chosen
+  const auto same = meridian("compare torus.obj --cut a.off --cut 0 --report report.json --quiet");
+  BOOST_TEST(same.status == 0);
+  BOOST_TEST(json("report.json")["components"][0]["variation"].get<double>() < 1e-12);
+  BOOST_TEST(meridian("compare torus.obj --cut 0 --cut 2 --weights cotangent --quiet").status == 0);
+  const auto wrong = meridian("compare mesh.obj --cut a.off --cut 0");
+  BOOST_TEST(wrong.status == 2);
+  BOOST_TEST(contains(wrong.error, "a.off"));
+  BOOST_TEST(meridian("compare torus.obj --cut 0").status == 64);
+  write("small.obj", obj(sample::torus(4, 3)));
+  const auto many = meridian("compare small.obj --cut 0 --cut 999");
+  BOOST_TEST(many.status == 64);
+  BOOST_TEST(contains(many.error, "members"), many.error);
+  BOOST_TEST(meridian("compare torus.obj --cut 0 --cut none.off").status == 1);
+}
+
+BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture)
+{
+  for (const std::string option :
+       {"--parameterization lscm --border circle", "--parameterization tutte --border free",
+        "--geometry-image 33 --on-edges", "--geometry-image 33 --parameterization arap",
+        "--geometry-image 33 --border circle", "--png board.jpg", "--distortion faces.obj", "--stretch-weight 2",
+        "--max-stretch 0.5", "--svg uv.obj", "--svg uv.map.json", "--png uv.mtl", "--parameterization best"})
+  {
+    const auto r = meridian("unwrap mesh.obj -o uv.obj " + option);
+    BOOST_TEST(r.status == 64, option + ": " + std::to_string(r.status));
+    BOOST_TEST(r.error.size() > 20u);
+  }
+  const auto r = meridian("unwrap mesh.obj -o uv.off");
+  BOOST_TEST(r.status == 1);
+  BOOST_TEST(contains(r.error, "OBJ"));
+  BOOST_TEST(number_of_files() == 1u);
+}
+
+#ifdef MERIDIAN_ASSIMP
+// A reader that is not ours.
+BOOST_FIXTURE_TEST_CASE(another_reader_sees_the_same_faces_with_coordinates_for_all, Fixture)
+{
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --png board.png --quiet").status == 0);
+  BOOST_TEST_REQUIRE(shell("'" MERIDIAN_ASSIMP "' dump uv.obj uv.assxml").status == 0);
+  const std::string dump = text("uv.assxml");
+  const std::size_t faces = lines_of(text("uv.obj"), "f").size();
+  BOOST_TEST(contains(dump, "<FaceList num=\"" + std::to_string(faces) + "\">"));
+  const std::size_t at = dump.find("<Positions num=\"");
+  BOOST_TEST_REQUIRE(at != std::string::npos);
+  const std::string points = dump.substr(at + 16, dump.find('"', at + 16) - at - 16);
+  BOOST_TEST(contains(dump, "<TextureCoords num=\"" + points + "\""), points);
+}
+#endif
+
+#ifdef MERIDIAN_CHROMIUM
+BOOST_FIXTURE_TEST_CASE(the_page_shows_the_checkerboard_beside_the_layout, Fixture)
+{
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --view page.html --quiet").status == 0);
+  const auto shown = show("page.html", MERIDIAN_CHROMIUM);
+  BOOST_TEST(shown.number("data-pixels") > 10000);
+  BOOST_TEST(shown.number("data-layout-pixels") > 10000);
+  BOOST_TEST(shown.number("data-cut-pixels") > 100);
+  for (const std::string& line : shown.errors) { BOOST_ERROR(line); }
+}
+#endif

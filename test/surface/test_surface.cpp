@@ -1,0 +1,191 @@
+#include "support/pipeline.h"
+#include "support/sample_surfaces.h"
+
+#include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
+#include <meridian/field/geodesic_distance.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/insert_curves.h>
+#include <meridian/surface/measures.h>
+#include <meridian/surface/open_along.h>
+
+#include <set>
+
+namespace data = boost::unit_test::data;
+using namespace meridian;
+
+// Known answers: what the samples of all other tests are.
+BOOST_AUTO_TEST_CASE(the_sample_surfaces_have_the_topology_that_they_claim)
+{
+  for (int genus = 0; genus <= 5; ++genus)
+  {
+    BOOST_TEST(sample::euler_characteristic(sample::plate(genus)) == 2 - 2 * genus);
+    BOOST_TEST(boundary_loops(sample::plate(genus)).empty());
+  }
+  BOOST_TEST(sample::euler_characteristic(sample::torus(7, 5)) == 0);
+  BOOST_TEST(sample::euler_characteristic(sample::sphere(2)) == 2);
+  const auto dumbbell = sample::dumbbell(60);
+  BOOST_TEST(sample::euler_characteristic(dumbbell) == -2);
+  BOOST_TEST(boundary_loops(dumbbell).empty());
+  const auto open = sample::punctured(sample::torus(12, 9), {0, 40});
+  BOOST_TEST(boundary_loops(open).size() == 2u);
+  BOOST_TEST(sample::euler_characteristic(open) == -2);
+}
+
+BOOST_AUTO_TEST_CASE(twins_run_in_opposite_directions_and_fans_are_whole)
+{
+  const auto s = sample::punctured(sample::plate(2), {17});
+  std::vector<int> faces_around(s.number_of_vertices(), 0), counted(s.number_of_vertices(), 0);
+  for (const auto& t : s.triangles)
+  {
+    for (Index v : t) { ++counted[v]; }
+  }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.opposite[h] < 0) { continue; }
+    BOOST_REQUIRE(s.opposite[s.opposite[h]] == h);
+    BOOST_REQUIRE(s.source(h) == s.target(s.opposite[h]));
+  }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    s.for_each_outgoing(v, [&](Index) { ++faces_around[v]; });
+  }
+  BOOST_TEST(faces_around == counted, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(an_edge_with_two_faces_on_one_side_is_refused)
+{
+  Triangle_surface s;
+  s.points.resize(4);
+  s.triangles = {{0, 1, 2}, {0, 1, 3}};
+  BOOST_CHECK_THROW(connect(s), Internal_error);
+}
+
+// Gauss and Bonnet: the angle defects of a closed surface add up to 2 pi chi.
+BOOST_AUTO_TEST_CASE(gaussian_curvature_adds_up_to_two_pi_times_the_euler_characteristic)
+{
+  for (int genus : {0, 1, 3})
+  {
+    const auto s = sample::plate(genus);
+    double sum = 0;
+    for (Index v = 0; v < s.number_of_vertices(); ++v)
+    {
+      double around = 0;
+      s.for_each_outgoing(v, [&](Index h) {
+        around += norm(cross(s.points[s.target(h)] - s.points[v], s.points[s.apex(h)] - s.points[v])) / 6;
+      });
+      sum += curvature(s, v).gaussian * around;
+    }
+    BOOST_TEST(sum == 2 * sample::pi * (2 - 2 * genus), boost::test_tools::tolerance(1e-9));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(mean_curvature_of_a_sphere_is_one_over_the_radius)
+{
+  const auto s = sample::scaled(sample::sphere(4), 2);
+  double sum = 0;
+  for (Index v = 0; v < s.number_of_vertices(); ++v) { sum += curvature(s, v).mean; }
+  BOOST_TEST(sum / s.number_of_vertices() == 0.5, boost::test_tools::tolerance(0.02));
+}
+
+namespace {
+
+// A closed curve around a vertex, through all edges at it.
+Surface_curve ring(const Triangle_surface& s, Index v, double t)
+{
+  Surface_curve c;
+  c.closed = true;
+  s.for_each_outgoing(v, [&](Index h) { c.points.push_back(Curve_point::on_edge(s.opposite[h], 1 - t)); });
+  return c;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(an_inserted_curve_becomes_seam_edges_and_the_surface_keeps_its_topology_and_area)
+{
+  const auto root = sample::noisy(sample::torus(9, 8), 0.1, 1);
+  Refined_surface s(root);
+  const auto inserted = insert_curves(root, s, {ring(root, 20, 0.4), ring(root, 21, 0.3), ring(root, 20, 0.6)});
+  BOOST_TEST(sample::euler_characteristic(s) == 0);
+  BOOST_TEST(area(s) == area(root), boost::test_tools::tolerance(1e-12));
+  Index seams = 0;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    seams += s.seam[h];
+    BOOST_REQUIRE(s.seam[h] == s.seam[s.opposite[h]]);
+  }
+  BOOST_TEST(
+    seams
+    == 2 * static_cast<Index>(inserted.vertices[0].size() + inserted.vertices[1].size() + inserted.vertices[2].size()));
+  Triangle_surface again;
+  again.points = s.points;
+  again.triangles = s.triangles;
+  connect(again);
+  BOOST_TEST(again.opposite == s.opposite, boost::test_tools::per_element());
+  BOOST_TEST(smallest_angle(s) > 0.01);
+}
+
+BOOST_AUTO_TEST_CASE(origins_lead_back_to_the_root_through_two_refinements)
+{
+  const auto root = sample::noisy(sample::sphere(2), 0.05, 2);
+  Refined_surface s(root);
+  insert_curves(root, s, {ring(root, 3, 0.5)}, false);
+  const Index fresh = root.number_of_vertices(); // a vertex of the first ring
+  insert_curves(root, s, {ring(s, fresh, 0.5)}, false);
+  std::set<int> kinds;
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    const Origin o = s.origin(v);
+    kinds.insert(o.kind);
+    BOOST_TEST(distance(position(root, o), s.points[v]) < 1e-12);
+  }
+  BOOST_TEST(kinds.size() == 3u);
+}
+
+BOOST_AUTO_TEST_CASE(curves_that_cross_in_a_face_are_refused)
+{
+  const auto root = sample::sphere(1);
+  const Index v = 0;
+  Surface_curve a = ring(root, v, 0.5), b = a;
+  // The same ring, but two neighbouring points changed places along their edges relative to `a`.
+  b.points[0].t += 0.1;
+  for (std::size_t i = 1; i < b.points.size(); ++i) { b.points[i].t -= 0.1; }
+  Refined_surface s(root);
+  BOOST_CHECK_THROW(insert_curves(root, s, {a, b}), Internal_error);
+}
+
+BOOST_AUTO_TEST_CASE(opening_along_a_ring_gives_a_disc_and_the_rest)
+{
+  const auto root = sample::torus(9, 8);
+  Refined_surface s(root);
+  insert_curves(root, s, {ring(root, 20, 0.4)});
+  const auto opened = open_along(s);
+  const Triangle_surface o = surface_of(s, opened);
+  BOOST_TEST(boundary_loops(o).size() == 2u);
+  BOOST_TEST(opened.copy_of.size() == opened.seams.size());
+  BOOST_TEST(sample::euler_characteristic(o) == 0); // a disc and a torus with a hole
+}
+
+// Known answer, and the angle of every corner one by one.
+BOOST_AUTO_TEST_CASE(the_smallest_angle_is_the_smallest_of_all_corners)
+{
+  const auto s = sample::noisy(sample::torus(20, 9), 0.3, 5);
+  double smallest = 10;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h) { smallest = std::min(smallest, corner_angle(s, h)); }
+  BOOST_TEST(smallest_angle(s) == smallest, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(smallest_angle(sample::plate(0, 1)) == sample::pi / 4, boost::test_tools::tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(distant_nodes_lie_on_different_boundary_loops)
+{
+  const auto tube = sample::punctured(sample::sphere(3), {4, 5});
+  const auto g = make_closed_model(tube);
+  BOOST_TEST(g.number_of_nodes == g.first_loop_node + 2);
+  const auto [a, b] = find_distant_nodes(tube, g);
+  BOOST_TEST(a != b);
+  const auto d = edge_distances(g, edge_lengths(tube, g), a);
+  BOOST_TEST(d[b] > 2.5); // a half circle is pi
+}
