@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/field/eigenfunctions.h>
 
+#include "shifted_laplacian.h"
 #include <meridian/base/exceptions.h>
-#include <meridian/field/internal/shifted_laplacian.h>
 #include <meridian/field/intrinsic_delaunay.h>
 #include <meridian/surface/measures.h>
 

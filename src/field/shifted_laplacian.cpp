@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <meridian/field/internal/shifted_laplacian.h>
+#include "shifted_laplacian.h"
 
 #include <meridian/base/exceptions.h>
 

@@ -255,7 +255,7 @@ int run_cut(const Cut_arguments& arguments)
   for (std::size_t i = 0; i < result.cuts.size(); ++i)
     if (!result.cuts[i].link_note.empty())
     {
-      words.notes.push_back("component " + std::to_string(i) + ": links run on the surface, because "
+      words.notes.push_back("note: component " + std::to_string(i) + ": links run on the surface, because "
                             + result.cuts[i].link_note);
     }
   std::ostringstream summary;

@@ -21,7 +21,7 @@ int end_run(const Common_arguments& arguments, const Verification& verification,
   if (!arguments.quiet)
   {
     for (const std::string& repair : words.repairs) { std::cout << "note: " << repair << '\n'; }
-    for (const std::string& note : words.notes) { std::cout << "note: " << note << '\n'; }
+    for (const std::string& note : words.notes) { std::cout << note << '\n'; }
     std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << words.summary
               << '\n';
   }

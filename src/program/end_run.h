@@ -16,7 +16,8 @@ namespace program {
 // What is said when a run ends well.
 struct Last_words
 {
-  std::vector<std::string> repairs, notes;
+  std::vector<std::string> repairs; // each becomes a note
+  std::vector<std::string> notes;   // lines as they are
   std::string summary;
 };
 

@@ -263,7 +263,7 @@ std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::
   {
     const Unwrapping& u = unwrapped[i];
     const Map_attempt& asked = u.map.attempts.front();
-    const std::string component = "component " + std::to_string(i) + ": ";
+    const std::string component = "note: component " + std::to_string(i) + ": ";
     if (u.map.attempts.size() > 1)
     {
       notes.push_back(component + "mapped by " + name_of(u.map.method) + " (border " + name_of(u.map.border)

@@ -3,8 +3,8 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/sleeve.h>
-#include <meridian/field/adapt_solver.h>
 #include <meridian/field/Scalar_field.h>
+#include <meridian/field/adapt_solver.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/field/eigenfunctions.h>
 #include <meridian/field/geodesic_distance.h>

@@ -27,6 +27,7 @@ namespace meridian {
  * \param s the surface, whose seams are disjoint closed curves. The links are inserted and flagged.
  * \param source a root vertex that the links shall pass through, or -1
  * \param links receives the links as vertices of `s`
+ * \param make_solver makes the solver of the systems
  *
  * \returns an empty text, or why the plane cannot be used; `s` is then unchanged
  * \pre cutting `s` along its seams leaves a connected surface of genus 0

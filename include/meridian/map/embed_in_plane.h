@@ -28,6 +28,7 @@ struct Planar_embedding
  * underflow, which the exact orientation predicate tells.
  *
  * \param s the surface
+ * \param make_solver makes the solver of the systems
  * \returns the embedding
  * \pre `s` has genus 0 and at least one boundary loop
  * \throws Solver_error if the system cannot be factorized

@@ -32,6 +32,7 @@ std::vector<Plane_point> place_on_circle(const std::vector<double>& places);
  * \param weights one for each halfedge, equal on twins, positive
  * \param loop the boundary, as halfedges
  * \param border the image of each halfedge's source
+ * \param make_solver makes the solver of the systems
  *
  * \returns the image of each vertex
  * \throws Solver_error if the system cannot be factorized

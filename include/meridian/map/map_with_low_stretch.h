@@ -24,6 +24,7 @@ namespace meridian {
  * \param loop its boundary, as halfedges
  * \param border the image of each halfedge's source, on a convex polygon, counterclockwise
  * \param steps how often weights are changed at most, once no face is flipped; until then up to 8 times
+ * \param make_solver makes the solver of the systems
  *
  * \returns the image of each vertex: of the maps without flipped faces that of the least stretch; if there is none,
  *          that with the fewest

@@ -2,9 +2,9 @@
 #ifndef MERIDIAN_RESULT_ASSEMBLE_RESULT_H
 #define MERIDIAN_RESULT_ASSEMBLE_RESULT_H
 
-#include <meridian/result/Assembled_result.h>
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/cut/Cut.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/result/internal/assemble_parts.h>
 #include <meridian/surface/examine_surface.h>
 #include <meridian/surface/open_along.h>

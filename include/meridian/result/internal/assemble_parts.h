@@ -2,10 +2,10 @@
 #ifndef MERIDIAN_RESULT_INTERNAL_ASSEMBLE_PARTS_H
 #define MERIDIAN_RESULT_INTERNAL_ASSEMBLE_PARTS_H
 
-#include <meridian/result/Assembled_result.h>
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/vectors.h>
+#include <meridian/result/Assembled_result.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/examine_surface.h>
 #include <meridian/surface/open_along.h>

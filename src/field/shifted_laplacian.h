@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef MERIDIAN_FIELD_INTERNAL_SHIFTED_LAPLACIAN_H
-#define MERIDIAN_FIELD_INTERNAL_SHIFTED_LAPLACIAN_H
+#ifndef MERIDIAN_SRC_FIELD_SHIFTED_LAPLACIAN_H
+#define MERIDIAN_SRC_FIELD_SHIFTED_LAPLACIAN_H
 
 #include <meridian/base/vectors.h>
 #include <meridian/field/Sparse_solver.h>
@@ -59,4 +59,4 @@ private:
 } // namespace internal
 } // namespace meridian
 
-#endif // MERIDIAN_FIELD_INTERNAL_SHIFTED_LAPLACIAN_H
+#endif // MERIDIAN_SRC_FIELD_SHIFTED_LAPLACIAN_H
