@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/unwrap/compare_maps.h>
 
+#include "bound_spectral_norm.h"
+
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/map/distortion.h>
 #include <meridian/map/planar_map.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
-#include <meridian/unwrap/internal/bound_spectral_norm.h>
 #include <meridian/unwrap/internal/untouched_stars.h>
 
 #include <Eigen/SparseCore>

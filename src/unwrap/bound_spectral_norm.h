@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef MERIDIAN_UNWRAP_INTERNAL_BOUND_SPECTRAL_NORM_H
-#define MERIDIAN_UNWRAP_INTERNAL_BOUND_SPECTRAL_NORM_H
+#ifndef MERIDIAN_SRC_UNWRAP_BOUND_SPECTRAL_NORM_H
+#define MERIDIAN_SRC_UNWRAP_BOUND_SPECTRAL_NORM_H
 
 #include <Eigen/SparseCholesky>
 
@@ -18,4 +18,4 @@ double bound_spectral_norm(const Eigen::SparseMatrix<double>& a);
 } // namespace internal
 } // namespace meridian
 
-#endif // MERIDIAN_UNWRAP_INTERNAL_BOUND_SPECTRAL_NORM_H
+#endif // MERIDIAN_SRC_UNWRAP_BOUND_SPECTRAL_NORM_H
