@@ -63,6 +63,10 @@ $m 36 unwrap $m -o out.obj --report r.json --parameterization conformal --max-st
 $m 37 unwrap $m -o out.obj --report r.json --parameterization authalic
 $m 38 unwrap $m -o out.obj --report r.json --geometry-image 65
 $m 39 compare $m --cut 1 --cut 2 --weights cotangent --report r.json
+$m 50 cut $m -o out.obj --links plane --source 11 --report r.json
+$m 51 cut $m -o out.obj --links plane --bifurcations --report r.json
+$m 52 cut $m -o out.obj --source 11 --report r.json
+$m 53 cut $m -o out.obj --method geodesic --from 5 --on-edges --report r.json
 $m 40 cut $m -o out.obj --method generators --join saddles --field distance --prefer mean-curvature --report r.json
 END
   done
