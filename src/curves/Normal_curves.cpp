@@ -9,20 +9,6 @@
 
 namespace meridian {
 
-Normal_curves::Gap Normal_curves::beside(Id x, bool left) const
-{
-  const Index h = (*this)[x].halfedge, e = m_surface.edge(h), k = (*this)[x].place;
-  return {e, (left == (h == e)) ? k + 1 : k}; // the target of `h` is on the left
-}
-
-double Normal_curves::middle(const Gap& g) const
-{
-  const auto& list = on(g.edge);
-  const double from = g.place == 0 ? 0 : (*this)[list[g.place - 1]].t;
-  const double to = g.place == static_cast<Index>(list.size()) ? 1 : (*this)[list[g.place]].t;
-  return (from + to) / 2;
-}
-
 void Normal_curves::add(Index curve, const std::vector<Step>& steps)
 {
   link_new(curve, steps);
@@ -48,49 +34,9 @@ void Normal_curves::remove(Index curve)
   Crossing_store::remove(curve);
 }
 
-std::int64_t Normal_curves::around(Id x, Index face) const
-{
-  const Index h = side(x, face), e = m_surface.edge(h), k = (*this)[x].place;
-  const Index along = h == e ? k : static_cast<Index>(on(e).size()) - 1 - k;
-  return (static_cast<std::int64_t>(h % 3) << 32) + along;
-}
-
-bool Normal_curves::alternate(Id x, Id y, Index face) const
-{
-  const std::int64_t a = around(x, face), b = around(across(x, face), face);
-  const std::int64_t c = around(y, face), d = around(across(y, face), face);
-  const auto inside = [&](std::int64_t p) { return std::min(a, b) < p && p < std::max(a, b); };
-  return inside(c) != inside(d);
-}
-
-Normal_curves::Id Normal_curves::crossed_by(Id x, Index face) const
-{
-  for (Index h = 3 * face; h < 3 * face + 3; ++h)
-    for (Id y : on(m_surface.edge(h)))
-      if ((*this)[y].curve == partner((*this)[x].curve) && (*this)[y].halfedge != h && alternate(x, y, face))
-      {
-        return y;
-      }
-  return -1;
-}
-
-Index Normal_curves::count_in_face(Index curve, Index face) const
-{
-  Index count = 0;
-  for (Index h = 3 * face; h < 3 * face + 3; ++h)
-    for (Id x : on(m_surface.edge(h)))
-    {
-      if ((*this)[x].curve != curve || (*this)[x].halfedge == h) { continue; }
-      for (Index g = 3 * face; g < 3 * face + 3; ++g)
-        for (Id y : on(m_surface.edge(g)))
-          count += (*this)[y].curve == partner(curve) && (*this)[y].halfedge != g && alternate(x, y, face);
-    }
-  return count;
-}
-
 std::vector<Index> Normal_curves::count_crossings() const
 {
-  std::vector<Index> faces, count(m_meeting.size(), 0);
+  std::vector<Index> faces, count(number_of_pairs(), 0);
   for (Index c = 0; c < number_of_curves(); ++c)
     for (Id x : crossings(c)) { faces.push_back(face_after(x)); }
   if (!count_in_faces(faces, count)) { throw Internal_error("count_crossings: two curves cross that should not"); }
@@ -99,14 +45,14 @@ std::vector<Index> Normal_curves::count_crossings() const
 
 bool Normal_curves::crosses_partner_once(Index curve) const
 {
-  std::vector<Index> faces, count(m_meeting.size(), 0);
+  std::vector<Index> faces, count(number_of_pairs(), 0);
   for (Id x : crossings(curve)) { faces.push_back(face_after(x)); }
   return count_in_faces(faces, count) && count[curve / 2] == 1;
 }
 
 bool Normal_curves::is_disjoint(Index curve) const
 {
-  std::vector<Index> faces, count(m_meeting.size(), 0);
+  std::vector<Index> faces, count(number_of_pairs(), 0);
   for (Id x : crossings(curve))
     for (Index h : {(*this)[x].halfedge, m_surface.opposite[(*this)[x].halfedge]})
     {
@@ -129,16 +75,6 @@ bool Normal_curves::runs_from_right(Index curve) const
     return from < to ? at < from || at > to : to < at && at < from;
   }
   return false;
-}
-
-Index Normal_curves::count_before_corner(Index h, Index face) const
-{
-  if (!has_open_curves()) { return 0; }
-  const auto& list = on(m_surface.edge(h));
-  const Index n = static_cast<Index>(list.size());
-  for (Index k = n; k-- > 0;)
-    if (across(list[m_surface.edge(h) == h ? k : n - 1 - k], face) < 0) { return k + 1; }
-  return 0;
 }
 
 bool Normal_curves::count_in_faces(std::vector<Index>& faces, std::vector<Index>& count) const
@@ -203,13 +139,7 @@ void Normal_curves::find_meeting(Index curve)
 {
   if (partner(curve) >= number_of_curves() || !is_present(partner(curve))) { return; }
   for (Id x : crossings(curve))
-    if (count_in_face(curve, face_after(x)) > 0) { m_meeting[curve / 2] = face_after(x); }
-}
-
-Index Normal_curves::side(Id x, Index face) const
-{
-  const Index h = (*this)[x].halfedge;
-  return m_surface.face(h) == face ? h : m_surface.opposite[h];
+    if (count_in_face(curve, face_after(x)) > 0) { set_meeting(curve, face_after(x)); }
 }
 
 void Normal_curves::link_new(Index curve, const std::vector<Step>& steps)

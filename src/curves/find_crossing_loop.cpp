@@ -10,7 +10,7 @@
 
 namespace meridian {
 
-using namespace internal;
+namespace internal {
 
 namespace {
 
@@ -46,8 +46,6 @@ void reduce(Gap_walk& walk)
 }
 
 } // namespace
-
-namespace internal {
 
 Crossing_loop Crossing_loop_search::find(Index m)
 {

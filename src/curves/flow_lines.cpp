@@ -4,18 +4,17 @@
 #include <meridian/surface/Closed_model.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace meridian {
 
 Flow_tracer::Flow_tracer(const Ordered_surface& m, bool descend, const std::vector<Critical_point>& critical)
-  : m_ordered(m), m_surface(m.surface), m_descends(descend), m_kind(m.graph.number_of_nodes, REGULAR)
+  : m_flow(m, descend), m_surface(m.surface), m_kind(m.graph.number_of_nodes, REGULAR)
 {
   for (const Critical_point& p : critical)
-    m_kind[node(p.vertex)] = p.kind == Critical_kind::SADDLE                 ? SADDLE
-                             : (p.kind == Critical_kind::MINIMUM) == descend ? BOTTOM
-                                                                             : TOP;
+    m_kind[m_flow.node(p.vertex)] = p.kind == Critical_kind::SADDLE                 ? SADDLE
+                                    : (p.kind == Critical_kind::MINIMUM) == descend ? BOTTOM
+                                                                                    : TOP;
 }
 
 void Flow_tracer::trace(Index saddle)
@@ -24,60 +23,24 @@ void Flow_tracer::trace(Index saddle)
   for_each_around_node(m_surface, saddle, [&](Index h) { spokes.push_back(h); });
   const std::size_t n = spokes.size();
   std::size_t first = 0; // a spoke upwards before one downwards
-  while (is_down(spokes[first], saddle) || !is_down(spokes[(first + 1) % n], saddle)) { ++first; }
+  while (m_flow.is_down(spokes[first], saddle) || !m_flow.is_down(spokes[(first + 1) % n], saddle)) { ++first; }
   std::vector<std::vector<Index>> sectors;
   for (std::size_t i = 1; i <= n; ++i)
   {
     const Index h = spokes[(first + i) % n];
-    if (!is_down(h, saddle)) { continue; }
-    if (!is_down(spokes[(first + i - 1) % n], saddle)) { sectors.emplace_back(); }
+    if (!m_flow.is_down(h, saddle)) { continue; }
+    if (!m_flow.is_down(spokes[(first + i - 1) % n], saddle)) { sectors.emplace_back(); }
     sectors.back().push_back(h);
   }
   for (const auto& sector : sectors) { trace_line(sector); }
-}
-
-Point Flow_tracer::slope(Index f) const
-{
-  const auto& t = m_surface.triangles[f];
-  Index region = 0;
-  for (Index v : t) { region = std::max(region, m_ordered.field.region_of(node(v))); }
-  const auto value = [&](int k) { return m_ordered.field.value_in(region, node(t[k])); };
-  const Point &a = m_surface.points[t[0]], &b = m_surface.points[t[1]], &c = m_surface.points[t[2]];
-  const Point n = normal(f);
-  const double area = dot(n, n);
-  if (!(area > 0)) { return {0, 0, 0}; }
-  return ((m_descends ? -1 : 1) / area)
-         * ((value(1) - value(0)) * cross(n, a - c) + (value(2) - value(0)) * cross(n, b - a));
-}
-
-Point Flow_tracer::normal(Index f) const
-{
-  const auto& t = m_surface.triangles[f];
-  return cross(m_surface.points[t[1]] - m_surface.points[t[0]], m_surface.points[t[2]] - m_surface.points[t[0]]);
-}
-
-Point Flow_tracer::outwards(Index h) const
-{
-  return cross(m_surface.points[m_surface.target(h)] - m_surface.points[m_surface.source(h)],
-               normal(m_surface.face(h)));
 }
 
 Index Flow_tracer::passage(Index h) const
 {
   const Index o = m_surface.opposite[h];
   if (o < 0 || m_runs.count(m_surface.edge(h))) { return -1; }
-  const bool here = flows_out(h), there = flows_out(o);
+  const bool here = m_flow.flows_out(h), there = m_flow.flows_out(o);
   return here == there ? -1 : here ? h : o;
-}
-
-std::pair<double, double> Flow_tracer::leave(Index h, const Point& p) const
-{
-  const Point &a = m_surface.points[m_surface.source(h)], e = m_surface.points[m_surface.target(h)] - a;
-  const Point d = slope(m_surface.face(h)), out = outwards(h);
-  const double speed = dot(d, out);
-  if (!(speed > 0)) { return {0.5, std::numeric_limits<double>::infinity()}; }
-  const double time = dot(a - p, out) / speed;
-  return {dot(p + time * d - a, e) / dot(e, e), time};
 }
 
 Curve_point Flow_tracer::point_on(Index h, const Portal& portal) const
@@ -99,7 +62,7 @@ bool Flow_tracer::reach_portal(Flow_line& line, Index h, double t)
 bool Flow_tracer::reach_vertex(Flow_line& line, Index v)
 {
   line.curve.points.push_back(Curve_point::on_vertex(v));
-  if (m_kind[node(v)] != REGULAR || m_surface.is_boundary_vertex(v))
+  if (m_kind[m_flow.node(v)] != REGULAR || m_surface.is_boundary_vertex(v))
   {
     line.end = v;
     return true;
@@ -122,20 +85,18 @@ Flow_tracer::Departure Flow_tracer::depart(const std::vector<Index>& lower) cons
   };
   for (Index h : lower)
   {
-    const Index v = m_surface.source(h), a = node(v), b = node(m_surface.target(h));
-    const Index region = std::max(m_ordered.field.region_of(a), m_ordered.field.region_of(b));
-    const double drop = std::abs(m_ordered.field.value_in(region, a) - m_ordered.field.value_in(region, b));
-    const double length = m_surface.length(h);
-    offer({h, true, 0.5, length > 0 ? drop / length : 0});
+    const Index v = m_surface.source(h);
+    offer({h, true, 0.5, m_flow.steepness(h)});
     const Index across = m_surface.next(h), w = m_surface.target(across);
-    if (rank(w) >= rank(v) || is_sink(w) || is_sink(m_surface.target(h)) || m_turns.count({m_surface.face(h), v}))
+    if (m_flow.rank(w) >= m_flow.rank(v) || is_sink(w) || is_sink(m_surface.target(h))
+        || m_turns.count({m_surface.face(h), v}))
     {
       continue;
     }
-    const auto [t, time] = leave(across, m_surface.points[v]);
+    const auto [t, time] = m_flow.leave(across, m_surface.points[v]);
     if (time < std::numeric_limits<double>::infinity() && t > 0 && t < 1)
     {
-      offer({across, false, t, norm(slope(m_surface.face(h)))});
+      offer({across, false, t, norm(m_flow.slope(m_surface.face(h)))});
     }
   }
   return best;
@@ -144,7 +105,7 @@ Flow_tracer::Departure Flow_tracer::depart(const std::vector<Index>& lower) cons
 void Flow_tracer::trace_line(std::vector<Index> lower)
 {
   Flow_line line;
-  line.descends = m_descends;
+  line.descends = m_flow.descends();
   line.start = m_surface.source(lower.front());
   bool is_begun = false;
   for (;;)
@@ -176,7 +137,7 @@ void Flow_tracer::trace_line(std::vector<Index> lower)
     lower.clear();
     const Index at = line.curve.points.back().vertex;
     m_surface.for_each_outgoing(at, [&](Index g) {
-      if (is_down(g, at)) { lower.push_back(g); }
+      if (m_flow.is_down(g, at)) { lower.push_back(g); }
     });
   }
   if (line.joined >= 0) { line.end = m_lines[line.joined].end; }
@@ -184,25 +145,25 @@ void Flow_tracer::trace_line(std::vector<Index> lower)
   const bool ends_here = line.joined < 0;
   m_lines.push_back(std::move(line));
   // Beyond a boundary loop that is not critical the flow goes on.
-  if (!ends_here || m_kind[node(end)] != REGULAR || !m_left.insert(node(end)).second) { return; }
+  if (!ends_here || m_kind[m_flow.node(end)] != REGULAR || !m_left.insert(m_flow.node(end)).second) { return; }
   std::vector<Index> onward;
   for_each_around_node(m_surface, end, [&](Index g) {
-    if (is_down(g, end)) { onward.push_back(g); }
+    if (m_flow.is_down(g, end)) { onward.push_back(g); }
   });
   trace_line(onward);
 }
 
 bool Flow_tracer::cross_face(Flow_line& line, Index& h)
 {
-  const Index low = lower_end(h), high = m_surface.source(h) == low ? m_surface.target(h) : m_surface.source(h);
+  const Index low = m_flow.lower_end(h), high = m_surface.source(h) == low ? m_surface.target(h) : m_surface.source(h);
   const auto slide = [&] {
     h = -1;
     return reach_vertex(line, low);
   };
   if (passage(h) != h || is_sink(low)) { return slide(); }
   const Index o = m_surface.opposite[h], f = m_surface.face(o), c = m_surface.apex(o);
-  if (rank(c) >= rank(high)) { return slide(); }
-  if (is_sink(c) && rank(c) < rank(low))
+  if (m_flow.rank(c) >= m_flow.rank(high)) { return slide(); }
+  if (is_sink(c) && m_flow.rank(c) < m_flow.rank(low))
   {
     h = -1;
     return reach_vertex(line, c);
@@ -211,11 +172,11 @@ bool Flow_tracer::cross_face(Flow_line& line, Index& h)
   const Index at_high = m_surface.source(o) == low ? m_surface.next(o) : m_surface.prev(o);
   const Curve_point& p = line.curve.points.back();
   const Point from = m_surface.point_on(p.halfedge, p.t);
-  const auto [t_low, time_low] = leave(at_low, from);
-  const auto [t_high, time_high] = leave(at_high, from);
+  const auto [t_low, time_low] = m_flow.leave(at_low, from);
+  const auto [t_high, time_high] = m_flow.leave(at_high, from);
   // The line may turn around the higher end, unless lines only come from there or one goes from it through the face.
   const bool may_turn =
-    m_kind[node(high)] != TOP && !m_surface.is_boundary_vertex(high) && !m_straight.count({f, high});
+    m_kind[m_flow.node(high)] != TOP && !m_surface.is_boundary_vertex(high) && !m_straight.count({f, high});
   const bool turns = may_turn && time_high < time_low;
   if (!turns && !(time_low < std::numeric_limits<double>::infinity())) { return slide(); }
   const Index to = turns ? at_high : at_low;

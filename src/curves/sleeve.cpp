@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/curves/sleeve.h>
 
+#include <meridian/curves/place_crossings.h>
+#include <meridian/surface/measures.h>
+
+#include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace meridian {
 
@@ -16,117 +22,314 @@ void trim(const Triangle_surface& s, Sleeve& sleeve)
   h = {h.begin() + first, h.begin() + last};
 }
 
-Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
+namespace {
+
+// The third corner of a triangle whose side runs from a to b (both known), to the left or to the right of it.
+Point_2 third_corner(const Triangle_surface& s, const std::array<Index, 3>& v, const Point_2& a, const Point_2& b,
+                     double side)
 {
-  Pulled_path path;
-  const std::size_t n = sleeve.halfedges.size();
-  // The third corner of a triangle whose side runs from a to b (both known), to the left or to the right of it.
-  const auto third = [&](Index va, Index vb, Index vc, const Point_2& a, const Point_2& b, double side) -> Point_2 {
-    const Point ab = s.points[vb] - s.points[va], ac = s.points[vc] - s.points[va];
-    const double l = norm(ab);
-    if (!(l > 0)) { return {a[0], a[1] + side * norm(ac)}; }
-    const double x = dot(ab, ac) / l, y = side * norm(cross(ab, ac)) / l;
-    const Point_2 u{(b[0] - a[0]) / l, (b[1] - a[1]) / l};
-    return {a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0]};
-  };
-  const Index h0 = sleeve.halfedges.front();
-  // a closed sleeve comes to a vertex again; that is another end
-  std::vector<std::size_t> first_left{0}, first_right{0};
-  path.right.push_back({0, 0});
-  path.left.push_back({s.length(h0), 0});
-  const Point_2 start = third(s.source(h0), s.target(h0), sleeve.start, path.right[0], path.left[0], 1);
-  Point_2 end{0, 0};
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    const Index h = sleeve.halfedges[i], o = s.opposite[h];
-    const Point_2 c = third(s.source(h), s.target(h), s.apex(o), path.right[i], path.left[i], -1);
-    if (i + 1 == n)
-    {
-      end = c;
-      break;
-    }
-    const bool moves_left = sleeve.halfedges[i + 1] == s.next(o); // the new portal keeps the right end
-    path.right.push_back(moves_left ? path.right[i] : c);
-    path.left.push_back(moves_left ? c : path.left[i]);
-    first_right.push_back(moves_left ? first_right[i] : i + 1);
-    first_left.push_back(moves_left ? i + 1 : first_left[i]);
-  }
-
-  using Corner = Pulled_path::Corner;
-  const auto left_of = [&](std::size_t i) {
-    return Corner{s.target(sleeve.halfedges[i]), true, i, first_left[i], path.left[i]};
-  };
-  const auto right_of = [&](std::size_t i) {
-    return Corner{s.source(sleeve.halfedges[i]), false, i, first_right[i], path.right[i]};
-  };
-  Corner apex{sleeve.start, true, 0, 0, start}, left = apex, right = apex;
-  bool left_is_apex = true, right_is_apex = true;
-  path.corners.push_back(apex);
-  for (std::size_t i = 0; i <= n; ++i)
-  {
-    const auto restart = [&](const Corner& bend) {
-      path.corners.push_back(bend);
-      apex = left = right = bend;
-      left_is_apex = right_is_apex = true;
-      i = bend.portal; // the loop goes on with the portal after it
-    };
-    if (i == n)
-    {
-      if (!right_is_apex && turn(apex.at, right.at, end) < 0) { restart(right); }
-      else if (!left_is_apex && turn(apex.at, left.at, end) > 0) { restart(left); }
-      continue;
-    }
-    const Corner r = right_of(i), l = left_of(i);
-    const bool is_bend = path.corners.size() > 1;
-    if (right_is_apex || turn(apex.at, right.at, r.at) >= 0)
-    {
-      if (!right_is_apex && !left_is_apex && turn(apex.at, left.at, r.at) >= 0)
-      {
-        restart(left);
-        continue;
-      }
-      right = r;
-      right_is_apex = is_bend && !apex.is_left && r.first == apex.first;
-    }
-    if (left_is_apex || turn(apex.at, left.at, l.at) <= 0)
-    {
-      if (!left_is_apex && !right_is_apex && turn(apex.at, right.at, l.at) <= 0)
-      {
-        restart(right);
-        continue;
-      }
-      left = l;
-      left_is_apex = is_bend && apex.is_left && l.first == apex.first;
-    }
-  }
-  path.corners.push_back({sleeve.end, true, n, n, end});
-
-  path.fraction.resize(n);
-  std::size_t k = 1;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    while (k + 1 < path.corners.size() && path.corners[k].portal < i) { ++k; }
-    const Corner &a = path.corners[k - 1], &b = path.corners[k];
-    const auto ends_at = [&](const Corner& corner, bool is_bend) {
-      return is_bend && corner.first == (corner.is_left ? first_left : first_right)[i];
-    };
-    const bool at_a = ends_at(a, k > 1), at_b = ends_at(b, k + 1 < path.corners.size());
-    double& t = path.fraction[i];
-    if ((at_a && !a.is_left) || (at_b && !b.is_left)) { t = 0; }
-    else if (at_a || at_b) { t = 1; }
-    else
-    {
-      const double p = turn(a.at, b.at, path.right[i]), q = turn(a.at, b.at, path.left[i]);
-      t = q - p > 0 ? std::min(std::max(-p / (q - p), 0.), 1.) : 0.5;
-    }
-  }
-  return path;
+  const Point ab = s.points[v[1]] - s.points[v[0]], ac = s.points[v[2]] - s.points[v[0]];
+  const double l = norm(ab);
+  if (!(l > 0)) { return {a[0], a[1] + side * norm(ac)}; }
+  const double x = dot(ab, ac) / l, y = side * norm(cross(ab, ac)) / l;
+  const Point_2 u{(b[0] - a[0]) / l, (b[1] - a[1]) / l};
+  return {a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0]};
 }
+
+// The funnel from the last bend of a path, its apex, to the part of a portal that can be seen from there.
+class Funnel
+{
+public:
+  Funnel(const Triangle_surface& s, const Sleeve& sleeve) : m_surface(s), m_sleeve(sleeve) {}
+
+  Pulled_path pull()
+  {
+    unfold();
+    find_corners();
+    find_fractions();
+    return std::move(m_path);
+  }
+
+private:
+  using Corner = Pulled_path::Corner;
+
+  // Lays the portals out in the plane, one triangle after the other.
+  void unfold()
+  {
+    const Triangle_surface& s = m_surface;
+    const std::size_t n = m_sleeve.halfedges.size();
+    const Index h0 = m_sleeve.halfedges.front();
+    m_path.right.push_back({0, 0});
+    m_path.left.push_back({s.length(h0), 0});
+    m_start = third_corner(s, {s.source(h0), s.target(h0), m_sleeve.start}, m_path.right[0], m_path.left[0], 1);
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Index h = m_sleeve.halfedges[i], o = s.opposite[h];
+      const Point_2 c = third_corner(s, {s.source(h), s.target(h), s.apex(o)}, m_path.right[i], m_path.left[i], -1);
+      if (i + 1 == n)
+      {
+        m_end = c;
+        break;
+      }
+      const bool moves_left = m_sleeve.halfedges[i + 1] == s.next(o); // the new portal keeps the right end
+      m_path.right.push_back(moves_left ? m_path.right[i] : c);
+      m_path.left.push_back(moves_left ? c : m_path.left[i]);
+      m_first_right.push_back(moves_left ? m_first_right[i] : i + 1);
+      m_first_left.push_back(moves_left ? i + 1 : m_first_left[i]);
+    }
+  }
+
+  Corner left_of(std::size_t i) const
+  {
+    return {m_surface.target(m_sleeve.halfedges[i]), true, i, m_first_left[i], m_path.left[i]};
+  }
+  Corner right_of(std::size_t i) const
+  {
+    return {m_surface.source(m_sleeve.halfedges[i]), false, i, m_first_right[i], m_path.right[i]};
+  }
+
+  // Lets the path bend wherever the funnel closes.
+  void find_corners()
+  {
+    const std::size_t n = m_sleeve.halfedges.size();
+    restart({m_sleeve.start, true, 0, 0, m_start});
+    for (std::size_t i = 0; i <= n; ++i)
+    {
+      const Corner* bend = i == n ? bend_before_end() : narrow(i);
+      if (bend == nullptr) { continue; }
+      restart(Corner(*bend));
+      i = m_apex.portal; // the loop goes on with the portal after it
+    }
+    m_path.corners.push_back({m_sleeve.end, true, n, n, m_end});
+  }
+
+  void restart(const Corner& bend)
+  {
+    m_path.corners.push_back(bend);
+    m_apex = m_left = m_right = bend;
+    m_left_is_apex = m_right_is_apex = true;
+  }
+
+  const Corner* bend_before_end() const
+  {
+    if (!m_right_is_apex && turn(m_apex.at, m_right.at, m_end) < 0) { return &m_right; }
+    if (!m_left_is_apex && turn(m_apex.at, m_left.at, m_end) > 0) { return &m_left; }
+    return nullptr;
+  }
+
+  // Narrows the funnel to portal `i`. If that lies all on one side of it, returns the corner where the path bends.
+  const Corner* narrow(std::size_t i)
+  {
+    const Corner r = right_of(i), l = left_of(i);
+    const bool is_bend = m_path.corners.size() > 1;
+    if (m_right_is_apex || turn(m_apex.at, m_right.at, r.at) >= 0)
+    {
+      if (!m_right_is_apex && !m_left_is_apex && turn(m_apex.at, m_left.at, r.at) >= 0) { return &m_left; }
+      m_right = r;
+      m_right_is_apex = is_bend && !m_apex.is_left && r.first == m_apex.first;
+    }
+    if (m_left_is_apex || turn(m_apex.at, m_left.at, l.at) <= 0)
+    {
+      if (!m_left_is_apex && !m_right_is_apex && turn(m_apex.at, m_right.at, l.at) <= 0) { return &m_right; }
+      m_left = l;
+      m_left_is_apex = is_bend && m_apex.is_left && l.first == m_apex.first;
+    }
+    return nullptr;
+  }
+
+  // Finds where the path crosses the portals between its corners.
+  void find_fractions()
+  {
+    const auto& corners = m_path.corners;
+    std::size_t k = 1;
+    for (std::size_t i = 0; i < m_sleeve.halfedges.size(); ++i)
+    {
+      while (k + 1 < corners.size() && corners[k].portal < i) { ++k; }
+      const Corner &a = corners[k - 1], &b = corners[k];
+      const bool at_a = k > 1 && ends_at(i, a), at_b = k + 1 < corners.size() && ends_at(i, b);
+      double t = 1;
+      if ((at_a && !a.is_left) || (at_b && !b.is_left)) { t = 0; }
+      else if (!at_a && !at_b)
+      {
+        const double p = turn(a.at, b.at, m_path.right[i]), q = turn(a.at, b.at, m_path.left[i]);
+        t = q - p > 0 ? std::min(std::max(-p / (q - p), 0.), 1.) : 0.5;
+      }
+      m_path.fraction.push_back(t);
+    }
+  }
+
+  // Whether a bend is an end of portal `i`.
+  bool ends_at(std::size_t i, const Corner& bend) const
+  {
+    return bend.first == (bend.is_left ? m_first_left : m_first_right)[i];
+  }
+
+  const Triangle_surface& m_surface;
+  const Sleeve& m_sleeve;
+  Pulled_path m_path;
+  Point_2 m_start{0, 0}, m_end{0, 0};
+  // Of each portal: the first with the same end. A closed sleeve comes to a vertex again; that is another end.
+  std::vector<std::size_t> m_first_left{0}, m_first_right{0};
+  Corner m_apex, m_left, m_right;
+  bool m_left_is_apex = true, m_right_is_apex = true;
+};
+
+} // namespace
+
+Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve) { return Funnel(s, sleeve).pull(); }
 
 double angle(const Point_2& at, const Point_2& p, const Point_2& q)
 {
   const double x1 = p[0] - at[0], y1 = p[1] - at[1], x2 = q[0] - at[0], y2 = q[1] - at[1];
   return std::abs(std::atan2(x1 * y2 - y1 * x2, x1 * x2 + y1 * y2));
+}
+
+namespace {
+
+// Moves a sleeve over the corners of its path, each once in a pass.
+class Sleeve_straightener
+{
+public:
+  Sleeve_straightener(const Triangle_surface& s, Sleeve& sleeve, const May_cross& may_cross, const Is_free& is_free)
+    : m_surface(s), m_sleeve(sleeve), m_may_cross(may_cross), m_is_free(is_free), m_path(pull(s, sleeve))
+  {}
+
+  Pulled_path straighten()
+  {
+    constexpr int passes = 100;
+    for (int pass = 0; pass < passes && !m_sleeve.halfedges.empty(); ++pass)
+    {
+      if (!move_over_corners()) { break; }
+      trim(m_surface, m_sleeve);
+      if (!m_sleeve.halfedges.empty()) { m_path = pull(m_surface, m_sleeve); }
+    }
+    return std::move(m_path);
+  }
+
+private:
+  // The portals that end at a corner: from `begin` to before `end`.
+  struct Stretch
+  {
+    std::size_t begin, end;
+  };
+
+  // From the end of the path to its start, so that portals before a corner keep their numbers. Returns whether the
+  // sleeve changed.
+  bool move_over_corners()
+  {
+    m_faces.clear();
+    for (Index h : m_sleeve.halfedges) { m_faces.insert(m_surface.face(h)); }
+    m_faces.insert(m_surface.face(m_surface.opposite[m_sleeve.halfedges.back()]));
+    std::size_t last_begin = m_sleeve.halfedges.size();
+    bool changed = false;
+    for (std::size_t k = m_path.corners.size() - 1; k-- > 1;)
+    {
+      const auto& corner = m_path.corners[k];
+      if (!m_is_free(corner.vertex) || corner.portal >= m_sleeve.halfedges.size()) { continue; }
+      const Stretch stretch = portals_at(corner);
+      if (stretch.end >= last_begin || !is_shorter_beyond(k, stretch) || !replace(stretch, corner.is_left))
+      {
+        continue;
+      }
+      last_begin = stretch.begin;
+      changed = true;
+    }
+    return changed;
+  }
+
+  Stretch portals_at(const Pulled_path::Corner& corner) const
+  {
+    const auto& all = m_sleeve.halfedges;
+    std::size_t begin = corner.portal, end = corner.portal + 1;
+    while (begin > 0 && touches(m_surface, all[begin - 1], corner.vertex)) { --begin; }
+    while (end < all.size() && touches(m_surface, all[end], corner.vertex)) { ++end; }
+    return {begin, end};
+  }
+
+  // Whether the angle on the other side of a corner is less than a straight one.
+  bool is_shorter_beyond(std::size_t k, const Stretch& stretch) const
+  {
+    constexpr double straight = 3.141592653589793 - 1e-6;
+    const auto& corner = m_path.corners[k];
+    double around = 0;
+    m_surface.for_each_outgoing(corner.vertex, [&](Index h) { around += corner_angle(m_surface, h); });
+    const auto rim = [&](std::size_t i) { return corner.is_left ? m_path.right[i] : m_path.left[i]; };
+    double inside = angle(corner.at, m_path.corners[k - 1].at, rim(stretch.begin))
+                    + angle(corner.at, m_path.corners[k + 1].at, rim(stretch.end - 1));
+    for (std::size_t i = stretch.begin; i + 1 < stretch.end; ++i) { inside += angle(corner.at, rim(i), rim(i + 1)); }
+    return !(around - inside >= straight);
+  }
+
+  // Takes the way round the other side, if that is free.
+  bool replace(const Stretch& stretch, bool is_left)
+  {
+    const Triangle_surface& s = m_surface;
+    auto& all = m_sleeve.halfedges;
+    const Index goal = s.face(s.opposite[all[stretch.end - 1]]), h0 = all[stretch.begin];
+    std::vector<Index> detour;
+    for (Index g = is_left ? s.next(h0) : s.prev(h0);; g = is_left ? s.next(s.opposite[g]) : s.prev(s.opposite[g]))
+    {
+      if (!m_may_cross(g)) { return false; }
+      detour.push_back(g);
+      const Index f = s.face(s.opposite[g]);
+      if (f == goal) { break; }
+      if (m_faces.count(f) > 0) { return false; }
+    }
+    for (Index h : detour) { m_faces.insert(s.face(s.opposite[h])); }
+    all.erase(all.begin() + stretch.begin, all.begin() + stretch.end);
+    all.insert(all.begin() + stretch.begin, detour.begin(), detour.end());
+    return true;
+  }
+
+  const Triangle_surface& m_surface;
+  Sleeve& m_sleeve;
+  const May_cross& m_may_cross;
+  const Is_free& m_is_free;
+  Pulled_path m_path;
+  std::set<Index> m_faces; // that the sleeve has, or had in this pass
+};
+
+// The crossings of a path. Beside a vertex that cannot be passed, room is left for the next link.
+std::vector<Crossing> crossings_of(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_path& path,
+                                   const Is_free& is_free)
+{
+  constexpr double beside = 0.2;
+  std::vector<Crossing> crossings;
+  for (std::size_t i = 0; i < sleeve.halfedges.size(); ++i)
+  {
+    const Index h = sleeve.halfedges[i], e = s.edge(h);
+    double t = path.fraction[i];
+    if (!is_free(s.source(h))) { t = std::max(t, beside); }
+    if (!is_free(s.target(h))) { t = std::min(t, std::max(1 - beside, 0.5)); }
+    crossings.push_back({h, e, 0, 0, e == h ? t : 1 - t, true});
+  }
+  return crossings;
+}
+
+} // namespace
+
+Pulled_path straighten(const Triangle_surface& s, Sleeve& sleeve, const May_cross& may_cross, const Is_free& is_free)
+{
+  return Sleeve_straightener(s, sleeve, may_cross, is_free).straighten();
+}
+
+Surface_curve shortest_curve(const Triangle_surface& s, Sleeve& sleeve, const May_cross& may_cross,
+                             const Is_free& is_free)
+{
+  Surface_curve curve;
+  curve.points.push_back(Curve_point::on_vertex(sleeve.start));
+  if (!sleeve.halfedges.empty())
+  {
+    const Pulled_path path = straighten(s, sleeve, may_cross, is_free);
+    const std::vector<Crossing> crossings = crossings_of(s, sleeve, path, is_free);
+    if (!crossings.empty())
+    {
+      const Surface_curve inside = place_crossings(s, {crossings}, false, is_free).front();
+      curve.points.insert(curve.points.end(), inside.points.begin(), inside.points.end());
+    }
+  }
+  curve.points.push_back(Curve_point::on_vertex(sleeve.end));
+  return curve;
 }
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <string>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -42,12 +43,6 @@ public:
   Edge_snapper(const Triangle_surface& s, const std::vector<Surface_curve>& curves, bool keeps)
     : m_surface(s), m_curves(curves), m_keeps(keeps), m_owner(s.number_of_vertices(), -1), m_is_last(curves.size())
   {
-    struct Point_on_edge
-    {
-      Index edge;
-      double t;
-      std::size_t curve, point;
-    };
     std::vector<Point_on_edge> crossings;
     for (std::size_t c = 0; c < curves.size(); ++c)
     {
@@ -55,29 +50,11 @@ public:
       for (std::size_t i = 0; i < curves[c].points.size(); ++i)
       {
         const Curve_point& p = curves[c].points[i];
-        if (p.is_vertex())
-        {
-          if (m_owner[p.vertex] >= 0)
-          {
-            throw Invalid_input_error("snap_to_edges: curves pass twice through vertex " + std::to_string(p.vertex));
-          }
-          m_owner[p.vertex] = static_cast<Index>(c);
-        }
+        if (p.is_vertex()) { own(p.vertex, c); }
         else { crossings.push_back({s.edge(p.halfedge), s.edge(p.halfedge) == p.halfedge ? p.t : 1 - p.t, c, i}); }
       }
     }
-    std::sort(crossings.begin(), crossings.end(), [](const Point_on_edge& a, const Point_on_edge& b) {
-      return std::tie(a.edge, a.t, a.curve, a.point) < std::tie(b.edge, b.t, b.curve, b.point);
-    });
-    const auto mark = [&](const Point_on_edge& x, bool toward_source) {
-      const bool along = curves[x.curve].points[x.point].halfedge == x.edge;
-      m_is_last[x.curve][x.point][toward_source == along ? 0 : 1] = 1;
-    };
-    for (std::size_t i = 0; i < crossings.size(); ++i)
-    {
-      if (i == 0 || crossings[i - 1].edge != crossings[i].edge) { mark(crossings[i], true); }
-      if (i + 1 == crossings.size() || crossings[i + 1].edge != crossings[i].edge) { mark(crossings[i], false); }
-    }
+    mark_last(std::move(crossings));
   }
 
   // Moves one curve. Returns false if that cannot be, with the edges where it is stuck.
@@ -85,7 +62,7 @@ public:
   {
     m_tries = m_keeps ? -1 : most_tries; // where crossings may stay, the first way down succeeds
     const auto& points = m_curves[c].points;
-    std::vector<std::array<char, 2>> allowed(points.size(), {0, 0});
+    Allowed allowed(points.size(), {0, 0});
     for (std::size_t i = 0; i < points.size(); ++i)
       for (int end = 0; end < 2 && !points[i].is_vertex(); ++end)
       {
@@ -102,6 +79,41 @@ public:
   }
 
 private:
+  using Allowed = std::vector<std::array<char, 2>>; // of each point: which ends of its edge it may go to
+  struct Point_on_edge
+  {
+    Index edge;
+    double t;
+    std::size_t curve, point;
+  };
+
+  // A vertex that a curve goes through from the start.
+  void own(Index v, std::size_t c)
+  {
+    if (m_owner[v] >= 0)
+    {
+      throw Invalid_input_error("snap_to_edges: curves pass twice through vertex " + std::to_string(v));
+    }
+    m_owner[v] = static_cast<Index>(c);
+  }
+
+  // Finds the crossings that come first and last on their edges.
+  void mark_last(std::vector<Point_on_edge> crossings)
+  {
+    std::sort(crossings.begin(), crossings.end(), [](const Point_on_edge& a, const Point_on_edge& b) {
+      return std::tie(a.edge, a.t, a.curve, a.point) < std::tie(b.edge, b.t, b.curve, b.point);
+    });
+    const auto mark = [&](const Point_on_edge& x, bool toward_source) {
+      const bool along = m_curves[x.curve].points[x.point].halfedge == x.edge;
+      m_is_last[x.curve][x.point][toward_source == along ? 0 : 1] = 1;
+    };
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+    {
+      if (i == 0 || crossings[i - 1].edge != crossings[i].edge) { mark(crossings[i], true); }
+      if (i + 1 == crossings.size() || crossings[i + 1].edge != crossings[i].edge) { mark(crossings[i], false); }
+    }
+  }
+
   static constexpr int most_tries = 500;
   enum : int
   {
@@ -128,7 +140,7 @@ private:
   // The shortest choice of a place for each point; empty if a point has none. Every vertex is joined to every other by
   // edges of the face between, so a choice exists if each point has a vertex; and staying is always possible, with all
   // neighbours that do.
-  std::vector<int> choose(std::size_t c, const std::vector<std::array<char, 2>>& allowed) const
+  std::vector<int> choose(std::size_t c, const Allowed& allowed) const
   {
     const auto& points = m_curves[c].points;
     const std::size_t n = points.size();
@@ -208,38 +220,68 @@ private:
     return visits;
   }
 
-  bool search(std::size_t c, std::vector<std::array<char, 2>>& allowed, Surface_curve& snapped,
-              std::vector<std::pair<Index, Index>>& stuck)
+  // Two visits of one vertex, or all of a curve that has too few: one of them must go. Empty if the visits are a curve.
+  static std::vector<Visit> rivals_among(const std::vector<Visit>& visits)
   {
-    const auto& points = m_curves[c].points;
-    const std::size_t n = points.size();
-    if (m_tries-- == 0) { return false; }
-    const std::vector<int> places = choose(c, allowed);
-    if (places.empty())
-    {
-      if (!stuck.empty()) { return false; } // named already
-      for (const Curve_point& p : points)
-      {
-        const std::size_t i = static_cast<std::size_t>(&p - points.data());
-        if (!p.is_vertex() && !allowed[i][0] && !allowed[i][1]) stuck.push_back(edge_of(p));
-      }
-      return false;
-    }
-    const std::vector<Visit> visits = visits_of(c, places);
     std::vector<std::pair<Index, std::size_t>> sorted;
     for (std::size_t i = 0; i < visits.size(); ++i)
     {
       if (visits[i].vertex >= 0) { sorted.emplace_back(visits[i].vertex, i); }
     }
     std::sort(sorted.begin(), sorted.end());
-    std::vector<Visit> rivals; // of which one must go
-    for (std::size_t i = 1; i < sorted.size() && rivals.empty(); ++i)
-      if (sorted[i].first == sorted[i - 1].first) { rivals = {visits[sorted[i].second], visits[sorted[i - 1].second]}; }
-    if (rivals.empty() && visits.size() < 3)
-      for (const Visit& visit : visits)
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (sorted[i].first == sorted[i - 1].first) { return {visits[sorted[i].second], visits[sorted[i - 1].second]}; }
+    std::vector<Visit> rivals;
+    for (const Visit& visit : visits)
+    {
+      if (visits.size() < 3 && visit.vertex >= 0) { rivals.push_back(visit); }
+    }
+    return rivals;
+  }
+
+  // Forbids a visit to the points that make it. Returns false if that cannot be: the curve goes through the vertex as
+  // it is.
+  bool forbid(const Visit& visit, std::size_t c, Allowed& allowed) const
+  {
+    const auto& points = m_curves[c].points;
+    bool is_fixed = false;
+    for (std::size_t k = 0; k < visit.length; ++k)
+    {
+      const std::size_t i = (visit.begin + k) % points.size();
+      is_fixed = is_fixed || points[i].is_vertex();
+      for (int end = 0; end < 2 && !points[i].is_vertex(); ++end)
       {
-        if (visit.vertex >= 0) { rivals.push_back(visit); }
+        if (end_of(points[i], end) == visit.vertex) { allowed[i][end] = 0; }
       }
+    }
+    return !is_fixed || visit.length > 1;
+  }
+
+  // Names the crossings that may go to no end of their edges, unless some were named before.
+  void name_stuck(std::size_t c, const Allowed& allowed, std::vector<std::pair<Index, Index>>& stuck) const
+  {
+    if (!stuck.empty()) { return; }
+    const auto& points = m_curves[c].points;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      if (!points[i].is_vertex() && !allowed[i][0] && !allowed[i][1]) { stuck.push_back(edge_of(points[i])); }
+    }
+  }
+
+  // Chooses places, and forbids one visit after the other until they make a curve.
+  bool search(std::size_t c, const Allowed& allowed, Surface_curve& snapped,
+              std::vector<std::pair<Index, Index>>& stuck)
+  {
+    const auto& points = m_curves[c].points;
+    if (m_tries-- == 0) { return false; }
+    const std::vector<int> places = choose(c, allowed);
+    if (places.empty())
+    {
+      name_stuck(c, allowed, stuck);
+      return false;
+    }
+    const std::vector<Visit> visits = visits_of(c, places);
+    const std::vector<Visit> rivals = rivals_among(visits);
     if (rivals.empty())
     {
       snapped = Surface_curve{{}, true};
@@ -251,19 +293,8 @@ private:
     }
     for (const Visit& rival : rivals)
     {
-      std::vector<std::array<char, 2>> without = allowed;
-      bool is_fixed = false;
-      for (std::size_t k = 0; k < rival.length; ++k)
-      {
-        const std::size_t i = (rival.begin + k) % n;
-        is_fixed = is_fixed || points[i].is_vertex();
-        for (int end = 0; end < 2 && !points[i].is_vertex(); ++end)
-        {
-          if (end_of(points[i], end) == rival.vertex) { without[i][end] = 0; }
-        }
-      }
-      if (is_fixed && rival.length == 1) { continue; } // the curve goes through the vertex as it is
-      if (search(c, without, snapped, stuck)) { return true; }
+      Allowed without = allowed;
+      if (forbid(rival, c, without) && search(c, without, snapped, stuck)) { return true; }
     }
     if (stuck.empty()) // every way on was tried, or given up
       for (const Visit& rival : rivals)
@@ -279,7 +310,7 @@ private:
   int m_tries = 0;
   std::vector<Index> m_owner; // of each vertex, the curve that has it
   // of each crossing, whether none lies between it and the source, the target, of its halfedge
-  std::vector<std::vector<std::array<char, 2>>> m_is_last;
+  std::vector<Allowed> m_is_last;
 };
 
 } // namespace

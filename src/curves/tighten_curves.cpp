@@ -11,7 +11,7 @@
 
 namespace meridian {
 
-using namespace internal;
+namespace internal {
 
 namespace {
 
@@ -104,14 +104,12 @@ Taut_curve pull_open(const Triangle_surface& s, const Sleeve& sleeve)
   return curve;
 }
 
-// Moves a curve over a vertex that a run of its crossings goes round. No other curve may be in the way or end there but
-// its partner, with whom it must go on to cross as often.
-bool move_over(Normal_curves& curves, const std::vector<Index>& run, Index vertex, bool is_left)
+// Whether nothing but the partner lies between a run of crossings and the vertex it goes round; and whether the partner
+// does.
+bool is_way_free(const Normal_curves& curves, const std::vector<Index>& run, bool is_left, bool& passes_partner)
 {
   const Triangle_surface& s = curves.surface();
-  const Index c = curves[run.front()].curve, p = Normal_curves::partner(c);
-  bool passes_partner = false;
-  if (!curves.ends_at(vertex).empty()) { return false; }
+  const Index p = Normal_curves::partner(curves[run.front()].curve);
   for (Index x : run)
   {
     const Index h = curves[x].halfedge;
@@ -124,45 +122,49 @@ bool move_over(Normal_curves& curves, const std::vector<Index>& run, Index verte
       passes_partner = true;
     }
   }
+  return true;
+}
+
+// Leaves out what only leads round an end of the curve, where the run is next to it.
+void trim_detour(const Normal_curves& curves, const std::vector<Index>& run, std::vector<Index>& detour)
+{
+  const Index c = curves[run.front()].curve;
+  if (!curves.is_open(c)) { return; }
+  const auto touches_end = [&](Index h, bool is_last) {
+    return touches(curves.surface(), h, curves.vertex({c, is_last}));
+  };
+  if (curves[run.front()].prev < 0)
+  {
+    detour.erase(detour.begin(),
+                 std::find_if(detour.begin(), detour.end(), [&](Index h) { return !touches_end(h, false); }));
+  }
+  if (curves[run.back()].next < 0)
+  {
+    while (!detour.empty() && touches_end(detour.back(), true)) { detour.pop_back(); }
+  }
+}
+
+// The way round the other side of the vertex that a run of crossings goes round. Returns false if there is none.
+bool find_detour(const Normal_curves& curves, const std::vector<Index>& run, bool is_left, std::vector<Index>& detour)
+{
+  const Triangle_surface& s = curves.surface();
   const Index goal = curves.face_after(run.back()), h0 = curves[run.front()].halfedge;
   if (s.face(h0) == goal) { return false; }
-  std::vector<Index> detour;
   for (Index g = is_left ? s.next(h0) : s.prev(h0);; g = is_left ? s.next(s.opposite[g]) : s.prev(s.opposite[g]))
   {
     if (s.opposite[g] < 0) { return false; }
     detour.push_back(g);
     if (s.face(s.opposite[g]) == goal) { break; }
   }
-  if (curves.is_open(c)) // next to an end, what only leads round it is left out
-  {
-    const auto touches_end = [&](Index h, bool is_last) { return touches(s, h, curves.vertex({c, is_last})); };
-    if (curves[run.front()].prev < 0)
-    {
-      detour.erase(detour.begin(),
-                   std::find_if(detour.begin(), detour.end(), [&](Index h) { return !touches_end(h, false); }));
-    }
-    if (curves[run.back()].next < 0)
-    {
-      while (!detour.empty() && touches_end(detour.back(), true)) { detour.pop_back(); }
-    }
-  }
-  // Away from where the partners cross, nothing changes between them.
-  bool is_at_meeting = false;
-  std::vector<Index> star;
-  s.for_each_outgoing(vertex, [&](Index h) {
-    star.push_back(s.face(h));
-    is_at_meeting = is_at_meeting || s.face(h) == curves.meeting(c);
-  });
-  if (!is_at_meeting)
-  {
-    if (passes_partner) { return false; }
-    curves.reroute(run.front(), run.back(), detour, !is_left);
-    for (bool is_last : {false, true})
-    {
-      if (curves.is_open(c) && curves.nearest({c, is_last}) >= 0) { curves.trim({c, is_last}); }
-    }
-    return true;
-  }
+  trim_detour(curves, run, detour);
+  return true;
+}
+
+// Reroutes a curve around the vertex where it crosses its partner, if it goes on to cross it once.
+bool reroute_at_meeting(Normal_curves& curves, const std::vector<Index>& run, const std::vector<Index>& detour,
+                        bool is_left, const std::vector<Index>& star)
+{
+  const Index c = curves[run.front()].curve;
   Normal_curves::Trial trial(curves);
   curves.reroute(run.front(), run.back(), detour, !is_left);
   Index count = 0, meeting = -1;
@@ -172,18 +174,42 @@ bool move_over(Normal_curves& curves, const std::vector<Index>& run, Index verte
     count += here;
     if (here > 0) { meeting = f; }
   }
-  if (count == 1)
+  if (count != 1) { return false; }
+  curves.set_meeting(c, meeting);
+  trial.keep();
+  return true;
+}
+
+// Moves a curve over a vertex that a run of its crossings goes round. No other curve may be in the way or end there but
+// its partner, with whom it must go on to cross as often.
+bool move_over(Normal_curves& curves, const std::vector<Index>& run, Index vertex, bool is_left)
+{
+  const Triangle_surface& s = curves.surface();
+  const Index c = curves[run.front()].curve;
+  bool passes_partner = false;
+  std::vector<Index> detour;
+  if (!curves.ends_at(vertex).empty() || !is_way_free(curves, run, is_left, passes_partner)
+      || !find_detour(curves, run, is_left, detour))
   {
-    curves.set_meeting(c, meeting);
-    trial.keep();
-    return true;
+    return false;
   }
-  return false;
+  bool is_at_meeting = false;
+  std::vector<Index> star;
+  s.for_each_outgoing(vertex, [&](Index h) {
+    star.push_back(s.face(h));
+    is_at_meeting = is_at_meeting || s.face(h) == curves.meeting(c);
+  });
+  if (is_at_meeting) { return reroute_at_meeting(curves, run, detour, is_left, star); }
+  if (passes_partner) { return false; } // away from where the partners cross, nothing changes between them
+  curves.reroute(run.front(), run.back(), detour, !is_left);
+  for (bool is_last : {false, true})
+  {
+    if (curves.is_open(c) && curves.nearest({c, is_last}) >= 0) { curves.trim({c, is_last}); }
+  }
+  return true;
 }
 
 } // namespace
-
-namespace internal {
 
 double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& options)
 {

@@ -12,58 +12,121 @@
 #include <cmath>
 #include <exception>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace meridian {
+
+namespace internal {
+
+namespace {
+
+using Eigenpair = std::pair<double, Eigen::VectorXd>; // of the inverse
+
+bool has_lower_value(const Eigenpair& a, const Eigenpair& b) { return a.first < b.first; }
+
+// Appends the `count` highest eigenpairs on the complement of what was found, and excludes them. Returns whether the
+// iteration converged.
+bool append_eigenpairs(Shifted_laplacian& laplacian, Index n, Index count, std::vector<Eigenpair>& found)
+{
+  Index subspace = std::min(n, std::max<Index>(2 * count + 10, 24));
+  for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace)) try
+    {
+      Spectra::SymEigsShiftSolver<Shifted_laplacian> solver(laplacian, count, subspace, -Shifted_laplacian::shift);
+      solver.init(); // from a fixed seed
+      solver.compute(Spectra::SortRule::LargestMagn, 200, 1e-10, Spectra::SortRule::SmallestAlge);
+      if (solver.info() != Spectra::CompInfo::Successful) { continue; }
+      const Eigen::VectorXd values = solver.eigenvalues();
+      const Eigen::MatrixXd vectors = solver.eigenvectors();
+      for (Index i = 0; i < count; ++i)
+      {
+        found.emplace_back(values[i], vectors.col(i));
+        laplacian.exclude(vectors.col(i));
+      }
+      return true;
+    }
+    catch (const Solver_error&)
+    {
+      throw;
+    }
+    catch (const std::exception&)
+    {} // Spectra's own: the small matrix of a subspace had no eigenvalues
+  return false;
+}
+
+// The `k` lowest eigenpairs, ascending. Where eigenvalues coincide the iteration might miss some: it starts again until
+// nothing lower is left.
+std::vector<Eigenpair> find_lowest(Shifted_laplacian& laplacian, Index n, int k)
+{
+  std::vector<Eigenpair> found;
+  const auto search = [&](Index count) {
+    if (!append_eigenpairs(laplacian, n, count, found))
+      throw Solver_error("the iteration for " + std::to_string(k)
+                         + " eigenfunctions did not converge; fewer functions or positive weights would help");
+  };
+  search(k);
+  while (static_cast<Index>(found.size()) + 1 < n)
+  {
+    const double highest = std::max_element(found.begin(), found.end(), has_lower_value)->first;
+    search(1);
+    if (!(found.back().first < highest - 1e-7 * (highest + Shifted_laplacian::shift))) { break; } // nothing was missed
+    std::stable_sort(found.begin(), found.end(), has_lower_value);
+    found.pop_back();
+  }
+  std::stable_sort(found.begin(), found.end(), has_lower_value);
+  found.resize(k);
+  return found;
+}
+
+// Takes out of `x` what lies along the unit function `y`.
+void remove_along(const std::vector<double>& mass, const std::vector<double>& y, std::vector<double>& x)
+{
+  double along = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) { along += mass[i] * x[i] * y[i]; }
+  for (std::size_t i = 0; i < x.size(); ++i) { x[i] -= along * y[i]; }
+}
+
+// Brings a function to unit length, the first of its largest entries positive.
+void scale_to_unit(const std::vector<double>& mass, std::vector<double>& x)
+{
+  double square = 0, largest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) { square += mass[i] * x[i] * x[i]; }
+  for (double& y : x) { y /= std::sqrt(square); }
+  for (double y : x) { largest = std::max(largest, std::abs(y)); }
+  const auto first = std::find_if(x.begin(), x.end(), [&](double y) { return std::abs(y) >= (1 - 1e-6) * largest; });
+  if (first == x.end()) { throw Solver_error("an eigenfunction is not finite; positive weights are the safest"); }
+  if (*first < 0)
+  {
+    for (double& y : x) { y = -y; }
+  }
+}
+
+// Rayleigh's quotient of a unit function, which keeps the digits of small eigenvalues.
+double energy_of(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& x)
+{
+  double energy = 0;
+  for (Index a = 0; a < g.number_of_nodes; ++a)
+    for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
+    {
+      const double step = x[a] - x[g.neighbor[i]];
+      energy += weights[g.halfedge[i]] * step * step / 2;
+    }
+  return std::max(energy, 0.);
+}
+
+} // namespace
+
+} // namespace internal
 
 Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<double>& weights,
                                    const std::vector<double>& mass, int k, Make_solver make_solver)
 {
-  using Operator = internal::Shifted_laplacian;
   const Index n = g.number_of_nodes;
   if (k < 1 || k >= n)
     throw Invalid_input_error("a closed model of " + std::to_string(n) + " nodes has no " + std::to_string(k)
                               + " eigenfunctions beside the constant one; ask for 1 to " + std::to_string(n - 1));
-  Operator laplacian(g, weights, mass, make_solver);
-
-  std::vector<std::pair<double, Eigen::VectorXd>> found; // by descending eigenvalues of the inverse
-  const auto search = [&](Index count) { // appends the `count` highest eigenpairs on the complement of what was found
-    Index subspace = std::min(n, std::max<Index>(2 * count + 10, 24));
-    for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace)) try
-      {
-        Spectra::SymEigsShiftSolver<Operator> solver(laplacian, count, subspace, -Operator::shift);
-        solver.init(); // from a fixed seed
-        solver.compute(Spectra::SortRule::LargestMagn, 200, 1e-10, Spectra::SortRule::SmallestAlge);
-        if (solver.info() != Spectra::CompInfo::Successful) { continue; }
-        const Eigen::VectorXd values = solver.eigenvalues();
-        const Eigen::MatrixXd vectors = solver.eigenvectors();
-        for (Index i = 0; i < count; ++i)
-        {
-          found.emplace_back(values[i], vectors.col(i));
-          laplacian.exclude(vectors.col(i));
-        }
-        return;
-      }
-      catch (const Solver_error&)
-      {
-        throw;
-      }
-      catch (const std::exception&)
-      {} // Spectra's own: the small matrix of a subspace had no eigenvalues
-    throw Solver_error("the iteration for " + std::to_string(k)
-                       + " eigenfunctions did not converge; fewer functions or positive weights would help");
-  };
-  const auto by_value = [](const auto& a, const auto& b) { return a.first < b.first; };
-  search(k);
-  while (static_cast<Index>(found.size()) + 1 < n)
-  {
-    const double highest = std::max_element(found.begin(), found.end(), by_value)->first;
-    search(1);
-    if (!(found.back().first < highest - 1e-7 * (highest + Operator::shift))) { break; } // nothing was missed
-    std::stable_sort(found.begin(), found.end(), by_value);
-    found.pop_back();
-  }
-  std::stable_sort(found.begin(), found.end(), by_value);
-  found.resize(k);
+  internal::Shifted_laplacian laplacian(g, weights, mass, make_solver);
+  const std::vector<internal::Eigenpair> found = internal::find_lowest(laplacian, n, k);
 
   Eigenfunctions e;
   e.values.push_back(0);
@@ -74,35 +137,14 @@ Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<doub
     std::vector<double> x = laplacian.function_of(vector);
     for (int pass = 0; pass < 2; ++pass) // once more against rounding
     {
-      const auto remove = [&](const std::vector<double>& y) {
-        double along = 0;
-        for (Index i = 0; i < n; ++i) { along += mass[i] * x[i] * y[i]; }
-        for (Index i = 0; i < n; ++i) { x[i] -= along * y[i]; }
-      };
-      remove(e.functions.front());
-      for (const auto& p : pairs) { remove(p.second); }
-      double square = 0, largest = 0;
-      for (Index i = 0; i < n; ++i) { square += mass[i] * x[i] * x[i]; }
-      for (double& y : x) { y /= std::sqrt(square); }
-      for (double y : x) { largest = std::max(largest, std::abs(y)); }
-      const auto first =
-        std::find_if(x.begin(), x.end(), [&](double y) { return std::abs(y) >= (1 - 1e-6) * largest; });
-      if (first == x.end()) { throw Solver_error("an eigenfunction is not finite; positive weights are the safest"); }
-      if (*first < 0)
-      {
-        for (double& y : x) { y = -y; }
-      }
+      internal::remove_along(mass, e.functions.front(), x);
+      for (const auto& p : pairs) { internal::remove_along(mass, p.second, x); }
+      internal::scale_to_unit(mass, x);
     }
-    double energy = 0; // Rayleigh's quotient keeps the digits of small eigenvalues
-    for (Index a = 0; a < n; ++a)
-      for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
-      {
-        const double step = x[a] - x[g.neighbor[i]];
-        energy += weights[g.halfedge[i]] * step * step / 2;
-      }
-    pairs.emplace_back(std::max(energy, 0.), std::move(x));
+    const double energy = internal::energy_of(g, weights, x);
+    pairs.emplace_back(energy, std::move(x));
   }
-  std::stable_sort(pairs.begin(), pairs.end(), by_value);
+  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   for (auto& [value, x] : pairs)
   {
     e.values.push_back(value);

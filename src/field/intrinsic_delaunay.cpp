@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/field/intrinsic_delaunay.h>
 
+#include <meridian/base/group_by.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <deque>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -100,29 +103,24 @@ Weighted_graph make_weighted_graph(const Triangle_surface& s, const Intrinsic_tr
   result.weights.assign(n, 0);
   const auto is_edge = [&](Index h) { return t.opposite[h] >= 0 && g.node[t.source[h]] != g.node[t.target(h)]; };
   double sum = 0;
-  Index edges = 0;
-  std::fill(g.begin.begin(), g.begin.end(), 0);
+  Index count = 0;
   for (Index h = 0; h < n; ++h)
   {
     if (!is_edge(h)) { continue; }
-    ++g.begin[g.node[t.source[h]] + 1];
     const Index e = std::min(h, t.opposite[h]), o = std::max(h, t.opposite[h]);
     result.weights[h] = std::max((t.cotangent(e) + t.cotangent(o)) / 2, 0.);
     sum += result.weights[h];
-    ++edges;
+    ++count;
   }
-  const double least = sum > 0 ? 1e-10 * sum / edges : 1;
-  std::partial_sum(g.begin.begin(), g.begin.end(), g.begin.begin());
-  g.halfedge.resize(g.begin.back());
-  g.neighbor.resize(g.begin.back());
-  std::vector<Index> fill(g.begin.begin(), g.begin.end() - 1);
-  for (Index h = 0; h < n; ++h)
+  const double least = sum > 0 ? 1e-10 * sum / count : 1;
+  Groups edges = group_by(g.number_of_nodes, n, [&](Index h) { return is_edge(h) ? g.node[t.source[h]] : -1; });
+  g.begin = std::move(edges.begin);
+  g.halfedge = std::move(edges.element);
+  g.neighbor.clear();
+  for (Index h : g.halfedge)
   {
-    if (!is_edge(h)) { continue; }
     result.weights[h] = std::max(result.weights[h], least);
-    const Index i = fill[g.node[t.source[h]]]++;
-    g.halfedge[i] = h;
-    g.neighbor[i] = g.node[t.target(h)];
+    g.neighbor.push_back(g.node[t.target(h)]);
   }
   return result;
 }

@@ -14,89 +14,138 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meridian {
 
-Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Field_options& options,
-                                         const Run_stage& run)
+namespace {
+
+// The stages on the way to an order of a filled surface.
+class Free_boundary_order
 {
-  Ordered_surface m;
-  std::vector<Index> minima = options.minima, maxima = options.maxima;
-  run(Stage::EXTREMA, [&] {
-    m.surface = Refined_surface(filled.surface);
-    m.graph = make_closed_model(m.surface);
-    if (options.weights == Weights::INTRINSIC_DELAUNAY && options.values.empty())
+public:
+  Free_boundary_order(const Filled_surface& filled, const Field_options& options)
+    : m_filled(filled), m_options(options), m_minima(options.minima), m_maxima(options.maxima)
+  {}
+
+  // Makes the model, and takes or finds the extrema.
+  void prepare()
+  {
+    m_result.surface = Refined_surface(m_filled.surface);
+    m_result.graph = make_closed_model(m_result.surface);
+    if (m_options.weights == Weights::INTRINSIC_DELAUNAY && m_options.values.empty())
       throw Invalid_input_error(
         "intrinsic Delaunay weights are made for the closed model; choose others where the boundary is free");
-    if (minima.empty() && maxima.empty() && options.values.empty())
-    {
-      auto [a, b] = find_distant_nodes(m.surface, m.graph);
-      for (Index* v : {&a, &b}) // the middle of a fan is no place of the surface
-        if (*v >= filled.vertices) { *v = m.surface.target(m.surface.outgoing[*v]); }
-      if (a == b) { b = m.surface.target(m.surface.outgoing[a]); }
-      minima = {std::min(a, b)};
-      maxima = {std::max(a, b)};
-    }
-    for (auto* nodes : {&minima, &maxima})
+    if (m_minima.empty() && m_maxima.empty() && m_options.values.empty()) { find_extrema(); }
+    for (auto* nodes : {&m_minima, &m_maxima})
     {
       std::sort(nodes->begin(), nodes->end());
       nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
     }
-    for (Index a : maxima)
-      if (std::binary_search(minima.begin(), minima.end(), a))
+    for (Index a : m_maxima)
+      if (std::binary_search(m_minima.begin(), m_minima.end(), a))
         throw Invalid_input_error("a minimum and a maximum of the field lie on the same vertex (vertex "
                                   + std::to_string(a) + "); choose them apart");
-  });
-  run(Stage::FIELD, [&] {
-    const Triangle_surface& s = m.surface;
-    const auto fill = [&] {
-      for (Index c = filled.vertices; c < s.number_of_vertices(); ++c)
-      {
-        double sum = 0;
-        int count = 0;
-        s.for_each_outgoing(c, [&](Index h) {
-          sum += m.field.value[s.target(h)];
-          ++count;
-        });
-        m.field.value[c] = sum / count;
-      }
-    };
-    if (!options.values.empty())
-    {
-      std::vector<double> values = options.values;
-      if (static_cast<Index>(values.size()) != filled.vertices)
-        throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for "
-                                  + std::to_string(filled.vertices) + " vertices; it needs one a vertex");
-      values.resize(s.number_of_vertices(), 0);
-      m.field = internal::field_of_values(filled.surface, m.surface, m.graph, values);
-      fill();
-      return;
-    }
-    auto weights = edge_weights(s, options.weights);
+  }
+
+  void make_field()
+  {
+    if (m_options.values.empty()) { solve_field(); }
+    else { take_values(); }
+    average_over_fans();
+  }
+
+  void order() { order_by_field(m_filled.surface, m_result, m_minima, m_maxima); }
+
+  Ordered_surface take_result() { return std::move(m_result); }
+
+private:
+  bool is_middle_of_fan(Index v) const { return v >= m_filled.vertices; } // no place of the surface
+
+  // Two vertices of the surface far from each other.
+  void find_extrema()
+  {
+    const Triangle_surface& s = m_result.surface;
+    auto [a, b] = find_distant_nodes(s, m_result.graph);
+    for (Index* v : {&a, &b})
+      if (is_middle_of_fan(*v)) { *v = s.target(s.outgoing[*v]); }
+    if (a == b) { b = s.target(s.outgoing[a]); }
+    m_minima = {std::min(a, b)};
+    m_maxima = {std::max(a, b)};
+  }
+
+  void take_values()
+  {
+    std::vector<double> values = m_options.values;
+    if (static_cast<Index>(values.size()) != m_filled.vertices)
+      throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for "
+                                + std::to_string(m_filled.vertices) + " vertices; it needs one a vertex");
+    values.resize(m_result.surface.number_of_vertices(), 0);
+    m_result.field = internal::field_of_values(m_filled.surface, m_result.surface, m_result.graph, values);
+  }
+
+  // Solves for a field that is harmonic between the extrema, over edges of the surface alone.
+  void solve_field()
+  {
+    const Triangle_surface& s = m_result.surface;
+    auto weights = edge_weights(s, m_options.weights);
     for (Index h = 0; h < s.number_of_halfedges(); ++h)
-      if (s.source(h) >= filled.vertices || s.target(h) >= filled.vertices) { weights[h] = 0; }
-    m.field = Scalar_field(m.graph.number_of_nodes);
-    std::vector<char> is_known(m.graph.number_of_nodes, 0);
-    for (Index v : minima) { is_known[v] = 1; }
-    for (Index v : maxima)
+      if (is_middle_of_fan(s.source(h)) || is_middle_of_fan(s.target(h))) { weights[h] = 0; }
+    const Closed_model& g = m_result.graph;
+    Scalar_field& field = m_result.field;
+    field = Scalar_field(g.number_of_nodes);
+    std::vector<char> is_known(g.number_of_nodes, 0);
+    for (Index v : m_minima) { is_known[v] = 1; }
+    for (Index v : m_maxima)
     {
       is_known[v] = 1;
-      m.field.value[v] = 1;
+      field.value[v] = 1;
     }
     std::vector<Index> unknown;
-    for (Index v = 0; v < filled.vertices; ++v)
+    for (Index v = 0; v < m_filled.vertices; ++v)
     {
       if (!is_known[v]) { unknown.push_back(v); }
     }
-    internal::Laplace_system system(
-      m.graph, weights, options.weights == Weights::MEAN_VALUE ? options.solvers.general : options.solvers.symmetric);
+    const auto& solvers = m_options.solvers;
+    internal::Laplace_system system(g, weights,
+                                    m_options.weights == Weights::MEAN_VALUE ? solvers.general : solvers.symmetric);
     system.solve(
-      unknown, [&](Index a) { return m.field.value[a]; }, m.field.value);
-    fill();
-  });
-  run(Stage::ORDER, [&] { order_by_field(filled.surface, m, minima, maxima); });
-  return m;
+      unknown, [&](Index a) { return field.value[a]; }, field.value);
+  }
+
+  // The middle of each fan has the mean of its neighbours.
+  void average_over_fans()
+  {
+    const Triangle_surface& s = m_result.surface;
+    for (Index c = m_filled.vertices; c < s.number_of_vertices(); ++c)
+    {
+      double sum = 0;
+      int count = 0;
+      s.for_each_outgoing(c, [&](Index h) {
+        sum += m_result.field.value[s.target(h)];
+        ++count;
+      });
+      m_result.field.value[c] = sum / count;
+    }
+  }
+
+  const Filled_surface& m_filled;
+  const Field_options& m_options;
+  std::vector<Index> m_minima, m_maxima;
+  Ordered_surface m_result;
+};
+
+} // namespace
+
+Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Field_options& options,
+                                         const Run_stage& run)
+{
+  Free_boundary_order steps(filled, options);
+  run(Stage::EXTREMA, [&] { steps.prepare(); });
+  run(Stage::FIELD, [&] { steps.make_field(); });
+  run(Stage::ORDER, [&] { steps.order(); });
+  return steps.take_result();
 }
 
 } // namespace meridian

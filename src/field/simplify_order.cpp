@@ -4,6 +4,7 @@
 #include <meridian/base/exceptions.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace meridian {
 
@@ -81,61 +82,98 @@ std::vector<Index> sweep(const Closed_model& g, const std::vector<Index>& nodes,
   return result;
 }
 
-std::vector<Index> st_numbering(const Closed_model& g, const std::vector<Index>& minima,
-                                const std::vector<Index>& maxima)
+namespace {
+
+// The graph with a source joined to all minima, a sink joined to all maxima, and an edge from source to sink.
+class Biconnected_graph
 {
-  const Index n = g.number_of_nodes, s = n, t = n + 1;
-  const auto degree = [&](Index a) {
-    if (a == s) { return static_cast<Index>(minima.size()) + 1; }
-    if (a == t) { return static_cast<Index>(maxima.size()) + 1; }
-    return g.begin[a + 1] - g.begin[a] + 1; // the last one may lead to the source or the sink
+public:
+  Biconnected_graph(const Closed_model& g, const std::vector<Index>& minima, const std::vector<Index>& maxima)
+    : m_graph(g), m_minima(minima), m_maxima(maxima), m_extra(g.number_of_nodes, -1)
+  {
+    for (Index a : minima) { m_extra[a] = source(); }
+    for (Index a : maxima) { m_extra[a] = sink(); }
+  }
+
+  Index source() const { return m_graph.number_of_nodes; }
+  Index sink() const { return m_graph.number_of_nodes + 1; }
+  Index number_of_nodes() const { return m_graph.number_of_nodes + 2; }
+
+  Index degree(Index a) const
+  {
+    if (a == source()) { return static_cast<Index>(m_minima.size()) + 1; }
+    if (a == sink()) { return static_cast<Index>(m_maxima.size()) + 1; }
+    return m_graph.begin[a + 1] - m_graph.begin[a] + 1; // the last one may lead to the source or the sink
+  }
+
+  // Neighbour `i` of a node, or -1.
+  Index neighbor(Index a, Index i) const
+  {
+    if (a == source()) { return i == 0 ? sink() : m_minima[i - 1]; } // the first edge of the search leads to the sink
+    if (a == sink()) { return i == 0 ? source() : m_maxima[i - 1]; }
+    const Index begin = m_graph.begin[a];
+    return i < m_graph.begin[a + 1] - begin ? m_graph.neighbor[begin + i] : m_extra[a];
+  }
+
+private:
+  const Closed_model& m_graph;
+  const std::vector<Index>&m_minima, &m_maxima;
+  std::vector<Index> m_extra; // of each node: the source, the sink or -1
+};
+
+// Nodes in the order of a depth-first search; of each its parent, and the node nearest to the root that an edge joins
+// to it or one below it.
+struct Search_tree
+{
+  std::vector<Index> preorder, parent, low;
+};
+
+Search_tree search_depth_first(const Biconnected_graph& g)
+{
+  const Index n = g.number_of_nodes();
+  Search_tree tree{{}, std::vector<Index>(n, -1), std::vector<Index>(n, -1)};
+  std::vector<Index> pre(n, -1), position(n, 0), stack;
+  const auto enter = [&](Index a, Index parent) {
+    pre[a] = static_cast<Index>(tree.preorder.size());
+    tree.low[a] = a;
+    tree.parent[a] = parent;
+    tree.preorder.push_back(a);
+    stack.push_back(a);
   };
-  std::vector<Index> extra(n, -1);
-  for (Index a : minima) { extra[a] = s; }
-  for (Index a : maxima) { extra[a] = t; }
-  const auto neighbor = [&](Index a, Index i) -> Index {
-    if (a == s) { return i == 0 ? t : minima[i - 1]; } // the first edge of the search goes from source to sink
-    if (a == t) { return i == 0 ? s : maxima[i - 1]; }
-    return i < g.begin[a + 1] - g.begin[a] ? g.neighbor[g.begin[a] + i] : extra[a];
-  };
-  std::vector<Index> pre(n + 2, -1), low(n + 2, -1), parent(n + 2, -1), preorder, position(n + 2, 0);
-  std::vector<Index> stack{s};
-  pre[s] = 0;
-  low[s] = s;
-  preorder.push_back(s);
+  enter(g.source(), -1);
   while (!stack.empty())
   {
     const Index a = stack.back();
-    if (position[a] < degree(a))
+    if (position[a] < g.degree(a))
     {
-      const Index b = neighbor(a, position[a]++);
+      const Index b = g.neighbor(a, position[a]++);
       if (b < 0) { continue; }
-      if (pre[b] < 0)
-      {
-        pre[b] = static_cast<Index>(preorder.size());
-        low[b] = b;
-        parent[b] = a;
-        preorder.push_back(b);
-        stack.push_back(b);
-      }
-      else if (pre[b] < pre[low[a]]) { low[a] = b; }
+      if (pre[b] < 0) { enter(b, a); }
+      else if (pre[b] < pre[tree.low[a]]) { tree.low[a] = b; }
       continue;
     }
     stack.pop_back();
-    const Index p = parent[a];
-    if (p >= 0 && pre[low[a]] < pre[low[p]]) { low[p] = low[a]; }
+    const Index p = tree.parent[a];
+    if (p >= 0 && pre[tree.low[a]] < pre[tree.low[p]]) { tree.low[p] = tree.low[a]; }
   }
-  // A doubly linked list that starts as source, sink; each node goes before or after its parent.
-  std::vector<Index> before(n + 2, -1), after(n + 2, -1);
-  std::vector<char> minus(n + 2, 0);
+  return tree;
+}
+
+// A doubly linked list that starts as source, sink; each node goes before or after its parent. Returns what comes
+// between the two.
+std::vector<Index> list_between(const Biconnected_graph& g, const Search_tree& tree)
+{
+  const Index s = g.source(), t = g.sink();
+  std::vector<Index> before(g.number_of_nodes(), -1), after(g.number_of_nodes(), -1);
+  std::vector<char> minus(g.number_of_nodes(), 0);
   after[s] = t;
   before[t] = s;
   minus[s] = 1;
-  for (Index a : preorder)
+  for (Index a : tree.preorder)
   {
     if (a == s || a == t) { continue; }
-    const Index p = parent[a];
-    const bool goes_before = minus[low[a]];
+    const Index p = tree.parent[a];
+    const bool goes_before = minus[tree.low[a]];
     const Index left = goes_before ? before[p] : p, right = goes_before ? p : after[p];
     before[a] = left;
     after[a] = right;
@@ -145,7 +183,20 @@ std::vector<Index> st_numbering(const Closed_model& g, const std::vector<Index>&
   }
   std::vector<Index> result;
   for (Index a = after[s]; a >= 0 && a != t; a = after[a]) { result.push_back(a); }
-  if (static_cast<Index>(result.size()) != n) { throw Internal_error("st_numbering: the graph is not biconnected"); }
+  return result;
+}
+
+} // namespace
+
+std::vector<Index> st_numbering(const Closed_model& g, const std::vector<Index>& minima,
+                                const std::vector<Index>& maxima)
+{
+  const Biconnected_graph graph(g, minima, maxima);
+  std::vector<Index> result = list_between(graph, search_depth_first(graph));
+  if (static_cast<Index>(result.size()) != g.number_of_nodes)
+  {
+    throw Internal_error("st_numbering: the graph is not biconnected");
+  }
   return result;
 }
 

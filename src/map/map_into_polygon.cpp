@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/map/map_into_polygon.h>
 
+#include <meridian/base/group_by.h>
 #include <meridian/field/Laplace_system.h>
 #include <meridian/surface/Closed_model.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -45,18 +48,11 @@ std::vector<Plane_point> map_into_polygon(const Triangle_surface& disc, const st
   }
   Closed_model g; // the vertices themselves: nothing is shrunk here
   g.number_of_nodes = n;
-  g.begin.assign(n + 1, 0);
-  for (Index h = 0; h < disc.number_of_halfedges(); ++h) { ++g.begin[disc.source(h) + 1]; }
-  for (Index v = 0; v < n; ++v) { g.begin[v + 1] += g.begin[v]; }
-  g.halfedge.resize(g.begin.back());
-  g.neighbor.resize(g.begin.back());
-  std::vector<Index> fill(g.begin.begin(), g.begin.end() - 1), inner;
-  for (Index h = 0; h < disc.number_of_halfedges(); ++h)
-  {
-    const Index i = fill[disc.source(h)]++;
-    g.halfedge[i] = h;
-    g.neighbor[i] = disc.target(h);
-  }
+  Groups leaving = group_by(n, disc.number_of_halfedges(), [&](Index h) { return disc.source(h); });
+  g.begin = std::move(leaving.begin);
+  g.halfedge = std::move(leaving.element);
+  for (Index h : g.halfedge) { g.neighbor.push_back(disc.target(h)); }
+  std::vector<Index> inner;
   for (Index v = 0; v < n; ++v)
   {
     if (!is_border[v]) { inner.push_back(v); }

@@ -13,8 +13,6 @@
 
 namespace meridian {
 
-using namespace internal;
-
 namespace internal {
 
 std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s)
@@ -40,8 +38,6 @@ std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s)
   return rest;
 }
 
-} // namespace internal
-
 namespace {
 
 // A triangle that should keep the shape it has.
@@ -55,8 +51,6 @@ Rest_triangle rest_as_is(const std::array<Index, 3>& t, const std::vector<Plane_
 }
 
 } // namespace
-
-namespace internal {
 
 Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool has_free_border,
                                            std::vector<Plane_point>& at, Make_solver make_solver)

@@ -4,10 +4,12 @@
 #include <meridian/map/planar_map.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -46,80 +48,112 @@ Plane_point upright_direction(const std::vector<Plane_point>& at)
   return best;
 }
 
-// The images of charts, side by side in the unit square. Some charts are turned upright.
-std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Chart>& charts,
-                                                     const std::vector<char>& is_turned)
+// Charts in their rectangles, which are put on shelves.
+class Chart_packer
 {
-  struct Box
+public:
+  void add(const Chart& chart, bool is_turned)
   {
-    double width, height, x, y;
-  };
-  std::vector<Box> boxes;
-  std::vector<std::vector<Plane_point>> placed;
-  double total = 0;
-  for (std::size_t c = 0; c < charts.size(); ++c)
-  {
-    const Chart& chart = charts[c];
-    const double image = area_of(*chart.triangles, chart.at);
-    const double scale = image > 0 && chart.area > 0 ? std::sqrt(chart.area / image) : 1;
-    const Plane_point d = is_turned[c] ? upright_direction(chart.at) : Plane_point{1, 0};
-    std::vector<Plane_point> turned;
-    for (const Plane_point& p : chart.at) { turned.push_back({scale * dot(p, d), scale * cross(d, p)}); }
-    Plane_point low = turned.front(), high = low;
-    for (const Plane_point& p : turned)
+    m_placed.push_back(scale_to_area(chart, is_turned));
+    std::vector<Plane_point>& at = m_placed.back();
+    Plane_point low = at.front(), high = low;
+    for (const Plane_point& p : at)
       for (int k = 0; k < 2; ++k)
       {
         low[k] = std::min(low[k], p[k]);
         high[k] = std::max(high[k], p[k]);
       }
-    for (Plane_point& p : turned) { p = p - low; }
-    placed.push_back(std::move(turned));
-    boxes.push_back({high[0] - low[0], high[1] - low[1], 0, 0});
-    total += boxes.back().width * boxes.back().height;
+    for (Plane_point& p : at) { p = p - low; }
+    m_boxes.push_back({high[0] - low[0], high[1] - low[1], 0, 0});
+    m_total += m_boxes.back().width * m_boxes.back().height;
   }
-  const double gap = 0.02 * std::sqrt(total / static_cast<double>(charts.size()));
-  std::vector<std::size_t> order(charts.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return boxes[a].height > boxes[b].height; });
+
+  // Moves all charts into the unit square.
+  std::vector<std::vector<Plane_point>> pack()
+  {
+    m_gap = 0.02 * std::sqrt(m_total / static_cast<double>(m_boxes.size()));
+    m_order.resize(m_boxes.size());
+    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+    std::stable_sort(m_order.begin(), m_order.end(),
+                     [&](std::size_t a, std::size_t b) { return m_boxes[a].height > m_boxes[b].height; });
+    const double size = stack(best_width());
+    for (std::size_t i = 0; i < m_boxes.size(); ++i)
+      for (Plane_point& p : m_placed[i])
+      {
+        p = {std::min((p[0] + m_boxes[i].x) / size, 1.), std::min((p[1] + m_boxes[i].y) / size, 1.)};
+      }
+    return std::move(m_placed);
+  }
+
+private:
+  struct Box
+  {
+    double width, height, x, y;
+  };
+
+  // The image of a chart with the area it has on the surface.
+  static std::vector<Plane_point> scale_to_area(const Chart& chart, bool is_turned)
+  {
+    const double image = area_of(*chart.triangles, chart.at);
+    const double scale = image > 0 && chart.area > 0 ? std::sqrt(chart.area / image) : 1;
+    const Plane_point d = is_turned ? upright_direction(chart.at) : Plane_point{1, 0};
+    std::vector<Plane_point> turned;
+    for (const Plane_point& p : chart.at) { turned.push_back({scale * dot(p, d), scale * cross(d, p)}); }
+    return turned;
+  }
 
   // The width of the shelves is that of several which gives the smallest square.
-  const auto stack = [&](double width) {
-    double x = 0, y = 0, shelf = 0, right = 0;
-    for (std::size_t i : order)
+  double best_width()
+  {
+    double widest = 0, best = 0, least = std::numeric_limits<double>::infinity();
+    for (const Box& box : m_boxes) { widest = std::max(widest, box.width); }
+    for (double factor = 1; factor < 2; factor += 0.05)
     {
-      if (x > 0 && x + boxes[i].width > width)
+      const double width = std::max(widest, factor * std::sqrt(m_total)), size = stack(width);
+      if (size < least)
+      {
+        least = size;
+        best = width;
+      }
+    }
+    return best;
+  }
+
+  // Puts the boxes on shelves of some width, the highest first. Returns the size of the square around them.
+  double stack(double width)
+  {
+    double x = 0, y = 0, shelf = 0, right = 0;
+    for (std::size_t i : m_order)
+    {
+      Box& box = m_boxes[i];
+      if (x > 0 && x + box.width > width)
       {
         x = 0;
-        y += shelf + gap;
+        y += shelf + m_gap;
         shelf = 0;
       }
-      boxes[i].x = x;
-      boxes[i].y = y;
-      x += boxes[i].width + gap;
-      shelf = std::max(shelf, boxes[i].height);
-      right = std::max(right, x - gap);
+      box.x = x;
+      box.y = y;
+      x += box.width + m_gap;
+      shelf = std::max(shelf, box.height);
+      right = std::max(right, x - m_gap);
     }
     return std::max(right, y + shelf);
-  };
-  double widest = 0, best = 0, least = std::numeric_limits<double>::infinity();
-  for (const Box& box : boxes) { widest = std::max(widest, box.width); }
-  for (double factor = 1; factor < 2; factor += 0.05)
-  {
-    const double width = std::max(widest, factor * std::sqrt(total)), size = stack(width);
-    if (size < least)
-    {
-      least = size;
-      best = width;
-    }
   }
-  const double size = stack(best);
-  for (std::size_t i = 0; i < charts.size(); ++i)
-    for (Plane_point& p : placed[i])
-    {
-      p = {std::min((p[0] + boxes[i].x) / size, 1.), std::min((p[1] + boxes[i].y) / size, 1.)};
-    }
-  return placed;
+
+  std::vector<std::vector<Plane_point>> m_placed;
+  std::vector<Box> m_boxes;
+  std::vector<std::size_t> m_order; // from the highest box to the lowest
+  double m_total = 0, m_gap = 0;
+};
+
+// The images of charts, side by side in the unit square. Some charts are turned upright.
+std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Chart>& charts,
+                                                     const std::vector<char>& is_turned)
+{
+  Chart_packer packer;
+  for (std::size_t c = 0; c < charts.size(); ++c) { packer.add(charts[c], is_turned[c] != 0); }
+  return packer.pack();
 }
 
 } // namespace

@@ -21,8 +21,6 @@
 
 namespace meridian {
 
-using namespace internal;
-
 namespace {
 
 // The corners of a square, which lie at the quarters of the border, and points along its sides between them.
@@ -59,7 +57,10 @@ std::vector<Plane_point> place_on_square(const std::vector<double>& places)
 std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options,
                      std::vector<Plane_point>& at)
 {
-  if (method >= Map_method::MEAN_VALUE) { return map_with_cgal(disc, method, border == Map_border::SQUARE, at); }
+  if (method >= Map_method::MEAN_VALUE)
+  {
+    return internal::map_with_cgal(disc, method, border == Map_border::SQUARE, at);
+  }
   const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
   const auto loop = is_given ? options.loop : boundary_loops(disc).front();
   const auto places = places_along(disc, loop);

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/surface/Closed_model.h>
 
+#include <meridian/base/group_by.h>
+
+#include <utility>
+
 namespace meridian {
 
 Closed_model make_closed_model(const Triangle_surface& s)
@@ -21,21 +25,12 @@ Closed_model make_closed_model(const Triangle_surface& s)
     ++g.number_of_nodes;
     g.representative.push_back(s.source(loop.front()));
   }
-  g.begin.assign(g.number_of_nodes + 1, 0);
-  const Index halfedges = s.number_of_halfedges();
-  for (Index h = 0; h < halfedges; ++h)
-    if (s.opposite[h] >= 0) { ++g.begin[g.node[s.source(h)] + 1]; }
-  for (Index a = 0; a < g.number_of_nodes; ++a) { g.begin[a + 1] += g.begin[a]; }
-  g.halfedge.resize(g.begin.back());
-  g.neighbor.resize(g.begin.back());
-  std::vector<Index> fill(g.begin.begin(), g.begin.end() - 1);
-  for (Index h = 0; h < halfedges; ++h)
-    if (s.opposite[h] >= 0)
-    {
-      const Index i = fill[g.node[s.source(h)]]++;
-      g.halfedge[i] = h;
-      g.neighbor[i] = g.node[s.target(h)];
-    }
+  Groups edges = group_by(g.number_of_nodes, s.number_of_halfedges(),
+                          [&](Index h) { return s.opposite[h] < 0 ? -1 : g.node[s.source(h)]; });
+  g.begin = std::move(edges.begin);
+  g.halfedge = std::move(edges.element);
+  g.neighbor.reserve(g.halfedge.size());
+  for (Index h : g.halfedge) { g.neighbor.push_back(g.node[s.target(h)]); }
   return g;
 }
 

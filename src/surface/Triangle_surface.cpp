@@ -2,7 +2,9 @@
 #include <meridian/surface/Triangle_surface.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/base/group_by.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace meridian {
@@ -32,21 +34,15 @@ void find_outgoing(Triangle_surface& s)
 void connect(Triangle_surface& s)
 {
   const Index n = s.number_of_vertices(), halfedges = s.number_of_halfedges();
-  std::vector<Index> begin(n + 1, 0), bucket(halfedges);
-  const auto lower = [&](Index h) { return std::min(s.source(h), s.target(h)); };
-  for (Index h = 0; h < halfedges; ++h) { ++begin[lower(h) + 1]; }
-  for (Index v = 0; v < n; ++v) { begin[v + 1] += begin[v]; }
-  std::vector<Index> fill(begin.begin(), begin.end() - 1);
-  for (Index h = 0; h < halfedges; ++h) { bucket[fill[lower(h)]++] = h; }
-
+  const Groups by_lower = group_by(n, halfedges, [&](Index h) { return std::min(s.source(h), s.target(h)); });
   s.opposite.assign(halfedges, -1);
   std::vector<std::pair<Index, Index>> around; // (upper vertex, halfedge)
   for (Index v = 0; v < n; ++v)
   {
     around.clear();
-    for (Index i = begin[v]; i < begin[v + 1]; ++i)
+    for (Index i = by_lower.begin[v]; i < by_lower.begin[v + 1]; ++i)
     {
-      const Index h = bucket[i];
+      const Index h = by_lower.element[i];
       around.emplace_back(std::max(s.source(h), s.target(h)), h);
     }
     std::sort(around.begin(), around.end());

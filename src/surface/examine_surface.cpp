@@ -2,27 +2,25 @@
 #include <meridian/surface/examine_surface.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/base/vectors.h>
 #include <meridian/surface/internal/soup_topology.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace meridian {
 
-Examination examine_surface(const Polygon_soup& soup, bool split)
-{
-  Examination result;
-  internal::check_indices_and_points(soup);
-  internal::Soup_topology t = internal::gather_triangles(soup, result.repairs);
-  if (t.triangles.empty())
-    throw Invalid_input_error("the mesh has no usable face (" + std::to_string(soup.points.size()) + " points, "
-                              + std::to_string(soup.number_of_polygons()) + " polygons)");
-  internal::pair_sides(t, split, result.repairs);
-  internal::orient(t, result.repairs);
-  internal::separate_fans(t, soup.points.size(), result.added_vertex_of, result.repairs);
+namespace internal {
 
-  // Components, numbered by their first triangle.
+namespace {
+
+// The component of each triangle, numbered by their first triangles; returns how many there are.
+Index number_components(const Soup_topology& t, std::vector<Index>& component)
+{
   const Index n = static_cast<Index>(t.triangles.size());
-  std::vector<Index> component(n, -1), stack;
+  component.assign(n, -1);
+  std::vector<Index> stack;
   Index components = 0;
   for (Index f = 0; f < n; ++f)
   {
@@ -43,11 +41,19 @@ Examination examine_surface(const Polygon_soup& soup, bool split)
     }
     ++components;
   }
-  result.components.resize(components);
+  return components;
+}
+
+// Gives each component its triangles, with the vertices of the soup, and their twins.
+void distribute_triangles(const Soup_topology& t, std::vector<Surface_component>& components)
+{
+  std::vector<Index> component;
+  components.resize(number_components(t, component));
+  const Index n = static_cast<Index>(t.triangles.size());
   std::vector<Index> local_face(n);
   for (Index f = 0; f < n; ++f)
   {
-    Surface_component& c = result.components[component[f]];
+    Surface_component& c = components[component[f]];
     local_face[f] = c.surface.number_of_faces();
     c.surface.triangles.push_back(t.triangles[f]);
     c.triangle_of.push_back(t.index[f]);
@@ -58,32 +64,55 @@ Examination examine_surface(const Polygon_soup& soup, bool split)
     for (Index side = 3 * f; side < 3 * f + 3; ++side)
     {
       const Index o = t.twin[side];
-      result.components[component[f]].surface.opposite.push_back(o < 0 ? -1 : 3 * local_face[o / 3] + o % 3);
+      components[component[f]].surface.opposite.push_back(o < 0 ? -1 : 3 * local_face[o / 3] + o % 3);
     }
-  std::vector<Index> local(soup.points.size() + result.added_vertex_of.size(), -1), used;
+}
+
+// Numbers the vertices of a component from 0 and fills in `vertex_of`. `local` is -1 for all vertices of the soup,
+// before and after.
+void number_vertices(Surface_component& c, std::vector<Index>& local)
+{
+  for (const auto& corners : c.surface.triangles)
+    for (Index v : corners)
+      if (local[v] < 0)
+      {
+        local[v] = 0;
+        c.vertex_of.push_back(v);
+      }
+  std::sort(c.vertex_of.begin(), c.vertex_of.end());
+  for (std::size_t i = 0; i < c.vertex_of.size(); ++i) { local[c.vertex_of[i]] = static_cast<Index>(i); }
+  for (auto& corners : c.surface.triangles)
+  {
+    for (Index& v : corners) { v = local[v]; }
+  }
+  for (Index v : c.vertex_of) { local[v] = -1; }
+}
+
+} // namespace
+
+} // namespace internal
+
+Examination examine_surface(const Polygon_soup& soup, bool split)
+{
+  Examination result;
+  internal::check_indices_and_points(soup);
+  internal::Soup_topology t = internal::gather_triangles(soup, result.repairs);
+  if (t.triangles.empty())
+    throw Invalid_input_error("the mesh has no usable face (" + std::to_string(soup.points.size()) + " points, "
+                              + std::to_string(soup.number_of_polygons()) + " polygons)");
+  internal::pair_sides(t, split, result.repairs);
+  internal::orient(t, result.repairs);
+  internal::separate_fans(t, soup.points.size(), result.added_vertex_of, result.repairs);
+  internal::distribute_triangles(t, result.components);
+
+  const Index points = static_cast<Index>(soup.points.size());
+  std::vector<Index> local(soup.points.size() + result.added_vertex_of.size(), -1);
   for (Surface_component& c : result.components)
   {
-    used.clear();
-    for (const auto& corners : c.surface.triangles)
-      for (Index v : corners)
-        if (local[v] < 0)
-        {
-          local[v] = 0;
-          used.push_back(v);
-        }
-    std::sort(used.begin(), used.end());
-    for (std::size_t i = 0; i < used.size(); ++i) { local[used[i]] = static_cast<Index>(i); }
-    for (auto& corners : c.surface.triangles)
+    internal::number_vertices(c, local);
+    for (Index v : c.vertex_of)
     {
-      for (Index& v : corners) { v = local[v]; }
-    }
-    for (Index v : used)
-    {
-      local[v] = -1;
-      const Index original =
-        v < static_cast<Index>(soup.points.size()) ? v : result.added_vertex_of[v - soup.points.size()];
-      c.vertex_of.push_back(v);
-      c.surface.points.push_back(soup.points[original]);
+      c.surface.points.push_back(soup.points[v < points ? v : result.added_vertex_of[v - points]]);
     }
     c.unit = internal::bring_to_scale(c.surface.points);
     find_outgoing(c.surface);

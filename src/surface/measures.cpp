@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/surface/measures.h>
 
+#include <meridian/surface/shortest_ways.h>
+
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
 
 namespace meridian {
 
@@ -69,28 +69,9 @@ std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& 
 
 std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source)
 {
-  std::vector<double> d(g.number_of_nodes, std::numeric_limits<double>::infinity());
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  d[source] = 0;
-  queue.emplace(0., source);
-  while (!queue.empty())
-  {
-    const auto [at, a] = queue.top();
-    queue.pop();
-    if (at > d[a]) { continue; }
-    for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i)
-    {
-      const Index b = g.neighbor[i];
-      const double reached = at + lengths[i];
-      if (reached < d[b])
-      {
-        d[b] = reached;
-        queue.emplace(reached, b);
-      }
-    }
-  }
-  return d;
+  return internal::find_shortest_ways(g.number_of_nodes, {source}, [&](Index a, const auto& reach) {
+    for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i) { reach(g.neighbor[i], lengths[i]); }
+  });
 }
 
 std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, const Closed_model& g, int sweeps)

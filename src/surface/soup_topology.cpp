@@ -2,6 +2,7 @@
 #include <meridian/surface/internal/soup_topology.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/base/group_by.h>
 
 #include <cmath>
 #include <cstdint>
@@ -106,24 +107,20 @@ Soup_topology gather_triangles(const Polygon_soup& soup, std::vector<std::string
 void pair_sides(Soup_topology& t, bool split, std::vector<std::string>& repairs)
 {
   const Index sides = 3 * static_cast<Index>(t.triangles.size());
-  std::vector<std::array<Index, 3>> key(sides); // lower end, higher end, side
+  std::vector<std::array<Index, 2>> key(sides); // lower end, higher end
   Index highest = 0;
   for (Index side = 0; side < sides; ++side)
   {
     const auto [u, v] = t.ends(side);
-    key[side] = {std::min(u, v), std::max(u, v), side};
+    key[side] = {std::min(u, v), std::max(u, v)};
     highest = std::max(highest, key[side][1]);
   }
-  std::vector<Index> begin(highest + 2, 0), bucket(sides); // counting sort by the lower end, then small sorts
-  for (const auto& k : key) { ++begin[k[0] + 1]; }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Index> fill(begin.begin(), begin.end() - 1);
-  for (const auto& k : key) { bucket[fill[k[0]]++] = k[2]; }
+  Groups bucket = group_by(highest + 1, sides, [&](Index side) { return key[side][0]; });
   t.twin.assign(sides, -1);
   std::vector<std::pair<Index, Index>> crowded;
   for (Index u = 0; u <= highest; ++u)
   {
-    const auto first = bucket.begin() + begin[u], last = bucket.begin() + begin[u + 1];
+    const auto first = bucket.element.begin() + bucket.begin[u], last = bucket.element.begin() + bucket.begin[u + 1];
     std::sort(first, last, [&](Index a, Index b) { return std::tie(key[a][1], a) < std::tie(key[b][1], b); });
     for (auto i = first, j = first; i != last; i = j)
     {
@@ -147,77 +144,118 @@ void pair_sides(Soup_topology& t, bool split, std::vector<std::string>& repairs)
   repairs.push_back(list_elements("edges split that have three or more faces", crowded));
 }
 
-void orient(Soup_topology& t, std::vector<std::string>& repairs)
+namespace {
+
+void make_unique(std::vector<Index>& list)
 {
-  const Index n = static_cast<Index>(t.triangles.size());
-  std::vector<char> known(n, 0), turned(n, 0);
-  std::vector<Index> flipped, conflicts, part;
-  Index one_sided = 0;
-  for (Index f = 0; f < n; ++f)
-  {
-    if (known[f]) { continue; }
-    known[f] = 1;
-    part.assign(1, f);
-    bool has_conflict = false;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < part.size(); ++i)
-      for (Index k = 0; k < 3; ++k)
-      {
-        const Index side = 3 * part[i] + k, o = t.twin[side];
-        if (o < 0) { continue; }
-        const bool same_direction = t.ends(side).first == t.ends(o).first;
-        const char wanted = static_cast<char>(turned[part[i]] ^ static_cast<char>(same_direction));
-        if (!known[o / 3])
-        {
-          known[o / 3] = 1;
-          turned[o / 3] = wanted;
-          part.push_back(o / 3);
-        }
-        else if (turned[o / 3] != wanted && side < o)
-        {
-          has_conflict = true;
-          conflicts.push_back(t.polygon[part[i]]);
-        }
-      }
-    one_sided += has_conflict;
-    for (Index g : part) { count += turned[g]; }
-    const bool invert = 2 * count > part.size(); // turn over the fewer
-    for (Index g : part)
-      if (static_cast<bool>(turned[g]) != invert)
-      {
-        std::swap(t.triangles[g][1], t.triangles[g][2]);
-        t.is_flipped[g] = 1;
-        flipped.push_back(t.polygon[g]);
-        // Sides 0 and 2 change places.
-        const Index a = 3 * g, b = 3 * g + 2;
-        std::swap(t.twin[a], t.twin[b]);
-        for (Index side : {a, b, 3 * g + 1})
-          if (t.twin[side] >= 0 && t.twin[side] / 3 != g) { t.twin[t.twin[side]] = side; }
-        for (auto& sides : t.crowded)
-          for (Index& side : sides)
-          {
-            if (side == a || side == b) { side = a + b - side; }
-          }
-      }
-  }
-  if (!conflicts.empty())
-  {
-    std::sort(conflicts.begin(), conflicts.end());
-    conflicts.erase(std::unique(conflicts.begin(), conflicts.end()), conflicts.end());
-    throw Invalid_input_error(
-      "the surface is not orientable (" + std::to_string(one_sided) + " component" + (one_sided == 1 ? "" : "s")
-      + " like a Moebius strip or Klein bottle): walking over the surface changes sides at "
-      + list_elements("faces", conflicts) + "; only orientable surfaces have meridians. Cut it open first");
-  }
-  if (!flipped.empty())
-  {
-    std::sort(flipped.begin(), flipped.end());
-    flipped.erase(std::unique(flipped.begin(), flipped.end()), flipped.end());
-    repairs.push_back(list_elements("faces turned over to agree with their neighbours", flipped));
-  }
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
-void separate_fans(Soup_topology& t, std::size_t points, std::vector<Index>& added, std::vector<std::string>& repairs)
+// Turns the faces of a soup over, component by component.
+class Orienter
+{
+public:
+  explicit Orienter(Soup_topology& t) : m_soup(t), m_known(t.triangles.size(), 0), m_turned(t.triangles.size(), 0) {}
+
+  void orient(std::vector<std::string>& repairs)
+  {
+    for (Index f = 0; f < static_cast<Index>(m_soup.triangles.size()); ++f)
+    {
+      if (!m_known[f]) { orient_component(f); }
+    }
+    refuse_conflicts();
+    if (m_flipped.empty()) { return; }
+    make_unique(m_flipped);
+    repairs.push_back(list_elements("faces turned over to agree with their neighbours", m_flipped));
+  }
+
+private:
+  // Walks over the component of face `f` and turns over the fewer of its faces.
+  void orient_component(Index f)
+  {
+    m_known[f] = 1;
+    m_part.assign(1, f);
+    bool has_conflict = false;
+    for (std::size_t i = 0; i < m_part.size(); ++i)
+      for (Index k = 0; k < 3; ++k)
+      {
+        if (!agree_across(3 * m_part[i] + k)) { has_conflict = true; }
+      }
+    m_one_sided += has_conflict;
+    std::size_t count = 0;
+    for (Index g : m_part) { count += m_turned[g]; }
+    const bool invert = 2 * count > m_part.size();
+    for (Index g : m_part)
+    {
+      if (static_cast<bool>(m_turned[g]) != invert) { turn_over(g); }
+    }
+  }
+
+  // Tells the face across a side whether it is to be turned. Returns false if it was told otherwise before, the first
+  // time that is seen.
+  bool agree_across(Index side)
+  {
+    const Index f = side / 3, o = m_soup.twin[side];
+    if (o < 0) { return true; }
+    const bool same_direction = m_soup.ends(side).first == m_soup.ends(o).first;
+    const char wanted = static_cast<char>(m_turned[f] ^ static_cast<char>(same_direction));
+    if (!m_known[o / 3])
+    {
+      m_known[o / 3] = 1;
+      m_turned[o / 3] = wanted;
+      m_part.push_back(o / 3);
+    }
+    else if (m_turned[o / 3] != wanted && side < o)
+    {
+      m_conflicts.push_back(m_soup.polygon[f]);
+      return false;
+    }
+    return true;
+  }
+
+  // Sides 0 and 2 of the face change places.
+  void turn_over(Index g)
+  {
+    std::swap(m_soup.triangles[g][1], m_soup.triangles[g][2]);
+    m_soup.is_flipped[g] = 1;
+    m_flipped.push_back(m_soup.polygon[g]);
+    const Index a = 3 * g, b = 3 * g + 2;
+    std::swap(m_soup.twin[a], m_soup.twin[b]);
+    for (Index side : {a, b, 3 * g + 1})
+      if (m_soup.twin[side] >= 0 && m_soup.twin[side] / 3 != g) { m_soup.twin[m_soup.twin[side]] = side; }
+    for (auto& sides : m_soup.crowded)
+      for (Index& side : sides)
+      {
+        if (side == a || side == b) { side = a + b - side; }
+      }
+  }
+
+  void refuse_conflicts()
+  {
+    if (m_conflicts.empty()) { return; }
+    make_unique(m_conflicts);
+    throw Invalid_input_error(
+      "the surface is not orientable (" + std::to_string(m_one_sided) + " component" + (m_one_sided == 1 ? "" : "s")
+      + " like a Moebius strip or Klein bottle): walking over the surface changes sides at "
+      + list_elements("faces", m_conflicts) + "; only orientable surfaces have meridians. Cut it open first");
+  }
+
+  Soup_topology& m_soup;
+  std::vector<char> m_known, m_turned;
+  std::vector<Index> m_part; // the component at hand
+  std::vector<Index> m_flipped, m_conflicts;
+  Index m_one_sided = 0;
+};
+
+} // namespace
+
+void orient(Soup_topology& t, std::vector<std::string>& repairs) { Orienter(t).orient(repairs); }
+
+namespace {
+
+// The fan of each corner, named by its first corner.
+std::vector<Index> find_fans(const Soup_topology& t)
 {
   const Index corners = 3 * static_cast<Index>(t.triangles.size());
   std::vector<Index> fan(corners);
@@ -239,59 +277,75 @@ void separate_fans(Soup_topology& t, std::size_t points, std::vector<Index>& add
     join(side, next(o)); // glued sides run in opposite directions
     join(next(side), o);
   }
-  // A fan is named by its first corner; the first fan at a point keeps it.
-  std::vector<Index> keeper(points, -1), vertex(corners, -1), pinched;
+  for (Index c = 0; c < corners; ++c) { fan[c] = find(c); }
+  return fan;
+}
+
+// Gives each fan a vertex: the first at a point keeps it, others get new ones. Returns the points that are divided.
+std::vector<Index> divide_points(Soup_topology& t, std::size_t points, std::vector<Index>& added)
+{
+  const std::vector<Index> fan = find_fans(t);
+  const Index corners = static_cast<Index>(fan.size());
+  std::vector<Index> vertex(corners, -1), pinched;
+  std::vector<char> is_kept(points, 0);
   for (Index c = 0; c < corners; ++c)
   {
     const Index point = t.triangles[c / 3][c % 3];
-    if (find(c) != c)
+    if (fan[c] != c) { vertex[c] = vertex[fan[c]]; }
+    else if (!is_kept[point])
     {
-      vertex[c] = vertex[find(c)];
-      continue;
-    }
-    if (keeper[point] < 0)
-    {
-      keeper[point] = c;
+      is_kept[point] = 1;
       vertex[c] = point;
-      continue;
     }
-    vertex[c] = static_cast<Index>(points + added.size());
-    added.push_back(point);
-    pinched.push_back(point);
+    else
+    {
+      vertex[c] = static_cast<Index>(points + added.size());
+      added.push_back(point);
+      pinched.push_back(point);
+    }
   }
   for (Index c = 0; c < corners; ++c) { t.triangles[c / 3][c % 3] = vertex[c]; }
+  make_unique(pinched);
+  return pinched;
+}
 
-  std::vector<std::pair<Index, Index>> stuck;
-  for (auto& sides : t.crowded)
+// Glues the sides of a crowded edge that are alone with each other now, and notes those that are not.
+void glue_crowded(Soup_topology& t, const std::vector<Index>& sides, std::vector<std::pair<Index, Index>>& stuck)
+{
+  std::vector<std::array<Index, 3>> by_ends;
+  for (Index side : sides)
   {
-    std::vector<std::array<Index, 3>> by_ends;
-    for (Index side : sides)
-    {
-      const auto [u, v] = t.ends(side);
-      by_ends.push_back({std::min(u, v), std::max(u, v), side});
-    }
-    std::sort(by_ends.begin(), by_ends.end());
-    for (std::size_t i = 0, j; i < by_ends.size(); i = j)
-    {
-      for (j = i; j < by_ends.size() && by_ends[j][0] == by_ends[i][0] && by_ends[j][1] == by_ends[i][1]; ++j) {}
-      if (j - i == 1) { continue; }
-      const Index a = by_ends[i][2], b = by_ends[i + 1][2];
-      if (j - i == 2 && t.ends(a).first == t.ends(b).second)
-      {
-        t.twin[a] = b;
-        t.twin[b] = a;
-      }
-      else { stuck.emplace_back(by_ends[i][0], by_ends[i][1]); }
-    }
+    const auto [u, v] = t.ends(side);
+    by_ends.push_back({std::min(u, v), std::max(u, v), side});
   }
+  std::sort(by_ends.begin(), by_ends.end());
+  for (std::size_t i = 0, j; i < by_ends.size(); i = j)
+  {
+    for (j = i; j < by_ends.size() && by_ends[j][0] == by_ends[i][0] && by_ends[j][1] == by_ends[i][1]; ++j) {}
+    if (j - i == 1) { continue; }
+    const Index a = by_ends[i][2], b = by_ends[i + 1][2];
+    if (j - i == 2 && t.ends(a).first == t.ends(b).second)
+    {
+      t.twin[a] = b;
+      t.twin[b] = a;
+    }
+    else { stuck.emplace_back(by_ends[i][0], by_ends[i][1]); }
+  }
+}
+
+} // namespace
+
+void separate_fans(Soup_topology& t, std::size_t points, std::vector<Index>& added, std::vector<std::string>& repairs)
+{
+  const std::vector<Index> pinched = divide_points(t, points, added);
+  std::vector<std::pair<Index, Index>> stuck;
+  for (const auto& sides : t.crowded) { glue_crowded(t, sides, stuck); }
   if (!stuck.empty())
     throw Invalid_input_error(
       list_elements("edges with three or more faces cannot be split, because the faces still share both ends", stuck)
       + "; remove the extra faces");
   if (!pinched.empty())
   {
-    std::sort(pinched.begin(), pinched.end());
-    pinched.erase(std::unique(pinched.begin(), pinched.end()), pinched.end());
     repairs.push_back(list_elements("vertices divided where several fans of faces meet", pinched));
   }
 }

@@ -4,8 +4,11 @@
 #include <meridian/base/exceptions.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -111,6 +114,209 @@ void split_part(const std::vector<Point>& points, const Rim& whole,
   }
 }
 
+namespace {
+
+// The faces that have one of the points on their rim, ascending.
+std::vector<Index> faces_of(const Refined_surface& s, const std::vector<Edge_point>& edge_points)
+{
+  std::vector<Index> faces;
+  for (const Edge_point& p : edge_points)
+  {
+    faces.push_back(s.face(p.edge));
+    if (s.opposite[p.edge] >= 0) { faces.push_back(s.face(s.opposite[p.edge])); }
+  }
+  std::sort(faces.begin(), faces.end());
+  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return faces;
+}
+
+// Divides faces while all of the old surface can still be read, then stores the parts and joins them to what is around.
+class Face_splitter
+{
+public:
+  // Points and chords are sorted.
+  Face_splitter(Refined_surface& s, const std::vector<Edge_point>& edge_points, const std::vector<Chord>& chords)
+    : m_surface(s), m_edge_points(edge_points), m_chords(chords), m_first_new_face(s.number_of_faces()),
+      m_faces(faces_of(s, edge_points))
+  {}
+
+  void split(std::vector<Index>& parent)
+  {
+    for (Index f : m_faces) { divide(f); }
+    for (const Parts& parts : m_parts) { store(parts, parent); }
+    join_twins();
+    find_outgoing();
+    restore_seams();
+  }
+
+private:
+  // A halfedge whose twin must be found again: one of a part, or of an untouched neighbour. Two belong together if they
+  // lie on one old edge, or inside one face, and have the same ends: two faces may share all their vertices.
+  struct Loose
+  {
+    Index place, low, high, halfedge;
+  };
+  // A part of a seam.
+  struct Flag
+  {
+    Index from, to;
+  };
+  // What becomes of a face. `edges` are its sides.
+  struct Parts
+  {
+    Index face;
+    Triangles triangles;
+    Rim rim;
+    std::array<Index, 3> edges;
+  };
+
+  bool is_split(Index f) const { return std::binary_search(m_faces.begin(), m_faces.end(), f); }
+
+  void loosen(Index h, Index place)
+  {
+    const auto [low, high] = std::minmax({m_surface.source(h), m_surface.target(h)});
+    m_loose.push_back({place, low, high, h});
+  }
+
+  // Triangulates the parts of a face between its chords.
+  void divide(Index f)
+  {
+    const Refined_surface& s = m_surface;
+    Parts parts{f, {}, {}, {s.edge(3 * f), s.edge(3 * f + 1), s.edge(3 * f + 2)}};
+    for (int k = 0; k < 3; ++k) { add_side(parts.rim, f, k); }
+    std::vector<std::pair<Index, Index>> inside;
+    auto c =
+      std::lower_bound(m_chords.begin(), m_chords.end(), f, [](const Chord& a, Index face) { return a.face < face; });
+    for (; c != m_chords.end() && c->face == f; ++c) { inside.emplace_back(c->from, c->to); }
+    split_part(s.points, parts.rim, inside, parts.triangles);
+    m_parts.push_back(std::move(parts));
+  }
+
+  // Appends corner `k` of a face and the points on the side after it to the rim, and notes what lies along that side.
+  void add_side(Rim& rim, Index f, int k)
+  {
+    const Index h = 3 * f + k, e = m_surface.edge(h), o = m_surface.opposite[h];
+    const unsigned side = 1u << k, side_before = 1u << ((k + 2) % 3);
+    const std::size_t begin = rim.size();
+    rim.push_back({m_surface.source(h), side | side_before});
+    add_points(rim, e, e == h, side);
+    if (m_surface.seam[h]) // its parts stay seams
+    {
+      for (std::size_t i = begin; i < rim.size(); ++i)
+      {
+        m_flags.push_back({rim[i].vertex, i + 1 < rim.size() ? rim[i + 1].vertex : m_surface.target(h)});
+      }
+    }
+    if (o >= 0 && !is_split(m_surface.face(o))) { loosen(o, e); }
+  }
+
+  // Appends the new points of an edge, along it or against it.
+  void add_points(Rim& rim, Index e, bool along, unsigned side) const
+  {
+    const auto first = std::lower_bound(m_edge_points.begin(), m_edge_points.end(), e,
+                                        [](const Edge_point& p, Index edge) { return p.edge < edge; });
+    auto last = first;
+    while (last != m_edge_points.end() && last->edge == e) { ++last; }
+    if (along)
+    {
+      for (auto p = first; p != last; ++p) { rim.push_back({p->vertex, side}); }
+    }
+    else
+    {
+      for (auto p = last; p != first; --p) { rim.push_back({std::prev(p)->vertex, side}); }
+    }
+  }
+
+  // The first part keeps the index of the face, the others are appended.
+  void store(const Parts& parts, std::vector<Index>& parent)
+  {
+    for (std::size_t i = 0; i < parts.triangles.size(); ++i)
+    {
+      const Index g = i == 0 ? parts.face : append_face(parts.face, parent);
+      m_surface.triangles[g] = parts.triangles[i];
+      m_touched.push_back(g);
+      loosen_sides(g, parts);
+    }
+  }
+
+  Index append_face(Index of, std::vector<Index>& parent)
+  {
+    const Index g = m_surface.number_of_faces();
+    m_surface.triangles.emplace_back();
+    m_surface.face_of.push_back(m_surface.face_of[of]);
+    m_surface.opposite.resize(m_surface.number_of_halfedges());
+    m_surface.seam.resize(m_surface.number_of_halfedges());
+    parent.push_back(of);
+    return g;
+  }
+
+  // The sides of a part lie on the side of the face that both ends are on, or inside it.
+  void loosen_sides(Index g, const Parts& parts)
+  {
+    const auto sides = [&](Index v) {
+      return std::find_if(parts.rim.begin(), parts.rim.end(), [&](const Rim_vertex& r) { return r.vertex == v; })
+        ->sides;
+    };
+    for (Index h = 3 * g; h < 3 * g + 3; ++h)
+    {
+      const unsigned common = sides(m_surface.source(h)) & sides(m_surface.target(h));
+      m_surface.opposite[h] = -1;
+      m_surface.seam[h] = 0;
+      loosen(h, common == 0 ? -1 - parts.face : parts.edges[common == 1 ? 0 : common == 2 ? 1 : 2]);
+    }
+  }
+
+  void join_twins()
+  {
+    std::sort(m_loose.begin(), m_loose.end(), [](const Loose& a, const Loose& b) {
+      return std::tie(a.place, a.low, a.high, a.halfedge) < std::tie(b.place, b.low, b.high, b.halfedge);
+    });
+    for (std::size_t i = 0; i + 1 < m_loose.size(); ++i)
+    {
+      const Loose &a = m_loose[i], &b = m_loose[i + 1];
+      if (std::tie(a.place, a.low, a.high) != std::tie(b.place, b.low, b.high)) { continue; }
+      m_surface.opposite[a.halfedge] = b.halfedge;
+      m_surface.opposite[b.halfedge] = a.halfedge;
+      ++i;
+    }
+  }
+
+  void find_outgoing()
+  {
+    const auto was_touched = [&](Index f) { return f >= m_first_new_face || is_split(f); };
+    for (int pass = 0; pass < 2; ++pass) // boundary halfedges last, so that they win
+      for (Index f : m_touched)
+        for (Index h = 3 * f; h < 3 * f + 3; ++h)
+        {
+          Index& out = m_surface.outgoing[m_surface.source(h)];
+          if (pass == 0 ? out < 0 || was_touched(m_surface.face(out)) : m_surface.opposite[h] < 0) { out = h; }
+        }
+  }
+
+  void restore_seams()
+  {
+    for (const Flag& flag : m_flags)
+    {
+      const Index h = m_surface.find_halfedge(flag.from, flag.to);
+      if (h < 0) { throw Internal_error("split_face: a part of a seam is missing"); }
+      m_surface.seam[h] = 1;
+      if (m_surface.opposite[h] >= 0) { m_surface.seam[m_surface.opposite[h]] = 1; }
+    }
+  }
+
+  Refined_surface& m_surface;
+  const std::vector<Edge_point>& m_edge_points;
+  const std::vector<Chord>& m_chords;
+  Index m_first_new_face;
+  std::vector<Index> m_faces; // that are split
+  std::vector<Loose> m_loose;
+  std::vector<Flag> m_flags;
+  std::vector<Parts> m_parts;
+  std::vector<Index> m_touched; // the faces of all parts
+};
+
+} // namespace
+
 void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points, std::vector<Chord>& chords,
                  Index& first_new_face, std::vector<Index>& parent)
 {
@@ -121,130 +327,7 @@ void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points, std::
   std::sort(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) {
     return std::tie(a.face, a.from, a.to) < std::tie(b.face, b.from, b.to);
   });
-  std::vector<Index> faces;
-  for (const Edge_point& p : edge_points)
-  {
-    faces.push_back(s.face(p.edge));
-    if (s.opposite[p.edge] >= 0) { faces.push_back(s.face(s.opposite[p.edge])); }
-  }
-  std::sort(faces.begin(), faces.end());
-  faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  const auto is_split = [&](Index f) { return std::binary_search(faces.begin(), faces.end(), f); };
-
-  // Halfedges whose twins must be found again: those of the parts, and those of untouched neighbours. They belong
-  // together if they lie on one old edge, or inside one face, and have the same ends: two faces may share all their
-  // vertices.
-  struct Loose
-  {
-    Index place, low, high, halfedge;
-  };
-  std::vector<Loose> loose;
-  const auto loosen = [&](Index h, Index place) {
-    loose.push_back({place, std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h)), h});
-  };
-  struct Flag
-  {
-    Index from, to;
-  };
-  std::vector<Flag> flags;
-  struct Parts
-  {
-    Index face;
-    Triangles triangles;
-    Rim rim;
-    std::array<Index, 3> edges;
-  };
-  std::vector<Parts> parts;
-  for (Index f : faces)
-  {
-    parts.push_back({f, {}, {}, {s.edge(3 * f), s.edge(3 * f + 1), s.edge(3 * f + 2)}});
-    Rim& rim = parts.back().rim;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Index h = 3 * f + k, e = s.edge(h), o = s.opposite[h];
-      const unsigned side = 1u << k, side_before = 1u << ((k + 2) % 3);
-      const std::size_t begin = rim.size();
-      rim.push_back({s.source(h), side | side_before});
-      const auto first = std::lower_bound(edge_points.begin(), edge_points.end(), e,
-                                          [](const Edge_point& p, Index edge) { return p.edge < edge; });
-      auto last = first;
-      while (last != edge_points.end() && last->edge == e) { ++last; }
-      if (e == h)
-      {
-        for (auto p = first; p != last; ++p) { rim.push_back({p->vertex, side}); }
-      }
-      else
-      {
-        for (auto p = last; p != first; --p) { rim.push_back({std::prev(p)->vertex, side}); }
-      }
-      if (s.seam[h]) // its parts stay seams
-      {
-        for (std::size_t i = begin; i < rim.size(); ++i)
-        {
-          flags.push_back({rim[i].vertex, i + 1 < rim.size() ? rim[i + 1].vertex : s.target(h)});
-        }
-      }
-      if (o >= 0 && !is_split(s.face(o))) { loosen(o, e); }
-    }
-    std::vector<std::pair<Index, Index>> inside;
-    auto c =
-      std::lower_bound(chords.begin(), chords.end(), f, [](const Chord& a, Index face) { return a.face < face; });
-    for (; c != chords.end() && c->face == f; ++c) { inside.emplace_back(c->from, c->to); }
-    split_part(s.points, rim, inside, parts.back().triangles);
-  }
-
-  std::vector<Index> touched; // first parts keep the index, the others are appended
-  for (const Parts& p : parts)
-    for (std::size_t i = 0; i < p.triangles.size(); ++i)
-    {
-      Index g = p.face;
-      if (i == 0) { s.triangles[g] = p.triangles[0]; }
-      else
-      {
-        g = s.number_of_faces();
-        s.triangles.push_back(p.triangles[i]);
-        s.face_of.push_back(s.face_of[p.face]);
-        s.opposite.resize(s.number_of_halfedges());
-        s.seam.resize(s.number_of_halfedges());
-        parent.push_back(p.face);
-      }
-      touched.push_back(g);
-      const auto sides = [&](Index v) {
-        return std::find_if(p.rim.begin(), p.rim.end(), [&](const Rim_vertex& r) { return r.vertex == v; })->sides;
-      };
-      for (Index h = 3 * g; h < 3 * g + 3; ++h)
-      {
-        const unsigned common = sides(s.source(h)) & sides(s.target(h));
-        s.opposite[h] = -1;
-        s.seam[h] = 0;
-        loosen(h, common == 0 ? -1 - p.face : p.edges[common == 1 ? 0 : common == 2 ? 1 : 2]);
-      }
-    }
-  std::sort(loose.begin(), loose.end(), [](const Loose& a, const Loose& b) {
-    return std::tie(a.place, a.low, a.high, a.halfedge) < std::tie(b.place, b.low, b.high, b.halfedge);
-  });
-  for (std::size_t i = 0; i + 1 < loose.size(); ++i)
-    if (loose[i].place == loose[i + 1].place && loose[i].low == loose[i + 1].low && loose[i].high == loose[i + 1].high)
-    {
-      s.opposite[loose[i].halfedge] = loose[i + 1].halfedge;
-      s.opposite[loose[i + 1].halfedge] = loose[i].halfedge;
-      ++i;
-    }
-  const auto was_touched = [&](Index f) { return f >= first_new_face || is_split(f); };
-  for (int pass = 0; pass < 2; ++pass) // boundary halfedges last, so that they win
-    for (Index f : touched)
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        Index& out = s.outgoing[s.source(h)];
-        if (pass == 0 ? out < 0 || was_touched(s.face(out)) : s.opposite[h] < 0) { out = h; }
-      }
-  for (const Flag& flag : flags)
-  {
-    const Index h = s.find_halfedge(flag.from, flag.to);
-    if (h < 0) { throw Internal_error("split_face: a part of a seam is missing"); }
-    s.seam[h] = 1;
-    if (s.opposite[h] >= 0) { s.seam[s.opposite[h]] = 1; }
-  }
+  Face_splitter(s, edge_points, chords).split(parent);
 }
 
 } // namespace internal

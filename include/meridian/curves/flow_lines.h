@@ -3,6 +3,7 @@
 #define MERIDIAN_CURVES_FLOW_LINES_H
 
 #include <meridian/base/vectors.h>
+#include <meridian/curves/internal/flow_direction.h>
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/critical_points.h>
 #include <meridian/surface/Refined_surface.h>
@@ -66,26 +67,11 @@ private:
     Index line;
   };
 
-  Index node(Index v) const { return m_ordered.graph.node[v]; }
-  Index rank(Index v) const { return m_descends ? m_ordered.rank[v] : -m_ordered.rank[v]; }
-  bool is_down(Index h, Index v) const { return rank(m_surface.target(h)) < rank(v); }
-  Index lower_end(Index h) const
-  {
-    return rank(m_surface.source(h)) < rank(m_surface.target(h)) ? m_surface.source(h) : m_surface.target(h);
-  }
   // Whether lines next to a vertex go straight to it.
-  bool is_sink(Index v) const { return m_kind[node(v)] == BOTTOM || m_surface.is_boundary_vertex(v); }
+  bool is_sink(Index v) const { return m_kind[m_flow.node(v)] == BOTTOM || m_surface.is_boundary_vertex(v); }
 
-  // Downwards in a face, as a vector in it, by the field in the finest scale of its corners.
-  Point slope(Index f) const;
-  Point normal(Index f) const;
-  Point outwards(Index h) const;
-  bool flows_out(Index h) const { return dot(slope(m_surface.face(h)), outwards(h)) > 0; }
   // The halfedge by which lines cross an edge, leaving its face, or -1 if they slide along it.
   Index passage(Index h) const;
-  // How far along `h` the way down from point `p` of its face leaves through it, and when; never if it does not.
-  std::pair<double, double> leave(Index h, const Point& p) const;
-
   Curve_point point_on(Index h, const Portal& portal) const;
   // Brings the line to the portal of `h`, which `t` places if it is new. \returns whether the line ends there on
   // another.
@@ -110,9 +96,8 @@ private:
   // reached, or to -1 at a vertex. \returns whether the line is over
   bool cross_face(Flow_line& line, Index& h);
 
-  const Ordered_surface& m_ordered;
+  internal::Flow_direction m_flow;
   const Refined_surface& m_surface;
-  bool m_descends;
   std::vector<Kind> m_kind; // of each node
   std::vector<Flow_line> m_lines;
   std::map<Index, Portal> m_portals;            // by edge

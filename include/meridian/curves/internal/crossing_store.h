@@ -134,6 +134,8 @@ protected:
   // Takes the ends off a curve and lets its crossings go.
   void clear(Index curve);
 
+  const Triangle_surface& m_surface;
+
 private:
   template <class Undo> void note(Undo undo)
   {
@@ -147,7 +149,6 @@ private:
   void edit_ends(Index v, const End& e, bool is_new);
   void put_along(Index e, Index curve);
 
-  const Triangle_surface& m_surface;
   std::vector<Crossing> m_crossings;
   std::vector<Curve> m_curves;
   std::vector<Index> m_slot; // of each edge: its list, or -1

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <meridian/map/Parameterization.h>
+#include <meridian/map/Map_method.h>
+
+#include <array>
+#include <cstddef>
 
 namespace meridian {
 
