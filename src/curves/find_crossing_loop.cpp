@@ -60,36 +60,22 @@ Crossing_loop Crossing_loop_search::find(Index m)
   return close(end, source.at(walk_to(end).stops.front().gap), target.at(end));
 }
 
-Crossing_loop_search::Reached& Crossing_loop_search::reached(const Gap& g)
-{
-  Reached& r = m_curves.on(g.edge).empty()
-                 ? m_plain[g.edge]
-                 : m_crowded[static_cast<std::uint64_t>(g.edge) << 32 | static_cast<std::uint32_t>(g.place)];
-  if (r.run != m_run)
-  {
-    r = Reached{};
-    r.run = m_run;
-  }
-  return r;
-}
-
 Crossing_loop_search::Gap Crossing_loop_search::search(const std::map<Gap, Index>& source,
                                                        const std::map<Gap, Index>& target)
 {
-  ++m_run;
-  m_crowded.clear();
+  m_reached.forget();
   using Entry = std::tuple<double, Index, Index>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
   for (const auto& [gap, x] : source)
   {
-    reached(gap).distance = 0;
+    m_reached[gap].distance = 0;
     queue.emplace(0., gap.edge, gap.place);
   }
   while (!queue.empty())
   {
     const Gap gap{std::get<1>(queue.top()), std::get<2>(queue.top())};
     queue.pop();
-    Reached& here = reached(gap);
+    Reached& here = m_reached[gap];
     if (here.is_done) { continue; }
     here.is_done = true;
     if (target.count(gap)) { return gap; }
@@ -101,10 +87,10 @@ Crossing_loop_search::Gap Crossing_loop_search::search(const std::map<Gap, Index
       if (h < 0 || m_surface.face(h) == here.face) { continue; }
       m_curves.for_each_gap_around(gap, m_surface.face(h), [&](const Gap& to, Index) {
         if (m_surface.opposite[to.edge] < 0 || to == gap) { return; }
-        Reached& there = reached(to);
+        Reached& there = m_reached[to];
         const double d = at + distance(from, point(to));
         if (there.is_done || !(d < there.distance)) { return; }
-        there = {d, gap, m_surface.face(h), m_run, false};
+        there = {d, gap, m_surface.face(h), m_reached.run(), false};
         queue.emplace(d, to.edge, to.place);
       });
     }
@@ -116,10 +102,10 @@ Gap_walk Crossing_loop_search::walk_to(const Gap& end)
 {
   Gap_walk walk;
   auto& stops = walk.stops;
-  for (Gap g = end;; g = reached(g).from)
+  for (Gap g = end;; g = m_reached[g].from)
   {
-    stops.push_back({g, reached(g).face}); // for now the face before it
-    if (reached(g).face < 0) { break; }
+    stops.push_back({g, m_reached[g].face}); // for now the face before it
+    if (m_reached[g].face < 0) { break; }
   }
   std::reverse(stops.begin(), stops.end());
   for (std::size_t i = 0; i + 1 < stops.size(); ++i) { stops[i].face_after = stops[i + 1].face_after; }
@@ -153,7 +139,7 @@ Crossing_loop Crossing_loop_search::close(const Gap& end, Index first, Index las
   }
   reduce(walk);
 
-  Crossing_loop loop{{}, reached(end).distance + std::min(onward, backward)};
+  Crossing_loop loop{{}, m_reached[end].distance + std::min(onward, backward)};
   for (std::size_t i = 0; i < stops.size(); ++i)
   {
     const Index face = stops[(i + stops.size() - 1) % stops.size()].face_after;

@@ -64,19 +64,6 @@ int Network_exchange::run(const Tighten_options& options, const std::function<vo
   return exchanged;
 }
 
-Network_exchange::Reached& Network_exchange::reached(const Gap& g)
-{
-  Reached& r = m_curves.on(g.edge).empty()
-                 ? m_plain[g.edge]
-                 : m_crowded[static_cast<std::uint64_t>(g.edge) << 32 | static_cast<std::uint32_t>(g.place)];
-  if (r.run != m_run)
-  {
-    r = Reached{};
-    r.run = m_run;
-  }
-  return r;
-}
-
 Index Network_exchange::free_vertex_beside(Index x) const
 {
   const Index e = m_curves.edge(x);
@@ -117,8 +104,7 @@ void Network_exchange::grow()
   walk();
   m_changed_edges.clear();
   m_changed_vertices.clear();
-  ++m_run;
-  m_crowded.clear();
+  m_reached.forget();
   m_roots.clear();
   m_candidates.clear();
   std::unordered_map<Index, Network_star> stars;
@@ -136,8 +122,8 @@ void Network_exchange::grow()
   {
     const Gap gap{std::get<1>(m_queue.top()), std::get<2>(m_queue.top())};
     m_queue.pop();
-    if (reached(gap).is_done) { continue; }
-    reached(gap).is_done = true;
+    if (m_reached[gap].is_done) { continue; }
+    m_reached[gap].is_done = true;
     for (Index h : {gap.edge, m_surface.opposite[gap.edge]}) { spread(gap, m_surface.face(h), farthest); }
   }
 }
@@ -145,7 +131,7 @@ void Network_exchange::grow()
 void Network_exchange::start(const Gap& g, double d, const Root& root)
 {
   if (m_surface.opposite[g.edge] < 0 || m_curves.along(g.edge) >= 0) { return; }
-  Reached& r = reached(g);
+  Reached& r = m_reached[g];
   if (!(d < r.distance)) { return; }
   r.distance = d;
   r.root = static_cast<Index>(m_roots.size());
@@ -201,11 +187,11 @@ void Network_exchange::start_at_corner(std::size_t i, const Network_star& star)
 
 void Network_exchange::spread(const Gap& gap, Index face, double farthest)
 {
-  const Reached here = reached(gap);
+  const Reached here = m_reached[gap];
   const Point from = point(gap);
   m_curves.for_each_gap_around(gap, face, [&](const Gap& to, Index) {
     if (m_surface.opposite[to.edge] < 0 || m_curves.along(to.edge) >= 0 || to == gap) { return; }
-    Reached& there = reached(to);
+    Reached& there = m_reached[to];
     const double d = here.distance + distance(from, point(to));
     if (there.is_done)
     {
@@ -219,7 +205,7 @@ void Network_exchange::spread(const Gap& gap, Index face, double farthest)
       return;
     }
     if (here.face == face || !(d < there.distance) || d > farthest) { return; }
-    there = {d, gap, face, here.root, m_run, false};
+    there = {d, gap, face, here.root, m_reached.run(), false};
     m_queue.emplace(d, to.edge, to.place);
   });
 }
@@ -269,7 +255,7 @@ std::pair<Index, double> Network_exchange::longest_between(const Candidate& c) c
 std::vector<Network_exchange::Gap> Network_exchange::back_from(Gap g)
 {
   std::vector<Gap> way;
-  for (; g.edge >= 0; g = reached(g).from)
+  for (; g.edge >= 0; g = m_reached[g].from)
   {
     if (m_changed_edges.count(g.edge) > 0) { return {}; }
     way.push_back(g);
@@ -283,7 +269,7 @@ std::vector<Normal_curves::Step> Network_exchange::steps_along(const std::vector
   std::vector<Index> faces; // after each gap
   for (std::size_t i = 0; i + 1 < way.size(); ++i)
   {
-    faces.push_back(i + 1 < before ? reached(way[i + 1]).face : i + 1 == before ? between : reached(way[i]).face);
+    faces.push_back(i + 1 < before ? m_reached[way[i + 1]].face : i + 1 == before ? between : m_reached[way[i]].face);
   }
   std::vector<Normal_curves::Step> steps;
   for (std::size_t i = 0; i < way.size(); ++i)
@@ -305,7 +291,7 @@ std::optional<Network_exchange::New_curve> Network_exchange::find_new_curve(cons
   std::reverse(way.begin(), way.end());
   way.insert(way.end(), rest.begin(), rest.end());
   New_curve curve;
-  curve.roots = {m_roots[reached(way.front()).root], m_roots[reached(way.back()).root]};
+  curve.roots = {m_roots[m_reached[way.front()].root], m_roots[m_reached[way.back()].root]};
   for (int k = 0; k < 2; ++k)
   {
     const Root& root = curve.roots[k];

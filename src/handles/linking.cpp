@@ -159,8 +159,9 @@ private:
     Index halfedge;
   };
 
-  // Where a loop crosses the walk itself, pushed along the normals. Seen in the projection, it passes over the edge from
-  // left to right, or it stays on one side of it and goes round it only where the surface folds away from the edge.
+  // Where a loop crosses the walk itself, pushed along the normals. Seen in the projection, it passes over the edge
+  // from left to right, or it stays on one side of it and goes round it only where the surface folds away from the
+  // edge.
   bool count_at(const Step& step)
   {
     const Index e = step.halfedge, own = m_surface.edge(e), o = m_surface.opposite[e];

@@ -205,6 +205,14 @@ Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const 
   return r;
 }
 
+Json report_seconds(const Loaded_mesh& loaded, const Cut_result& result)
+{
+  return {{"read", loaded.seconds_reading},
+          {"examine", loaded.seconds_examining},
+          {"assemble", result.seconds_assembling},
+          {"verify", result.seconds_verifying}};
+}
+
 void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loaded_mesh& loaded,
              const Cut_result& result)
 {
@@ -237,16 +245,10 @@ int run_cut(const Cut_arguments& arguments)
   }
   const Cut_result result = conclude_cut(loaded, std::move(found), options, terminal);
   const Verification& verification = result.verification;
-  const Json report{{"meridian", MERIDIAN_VERSION},
-                    {"input", report_input(arguments.mesh, loaded.soup, examination)},
-                    {"components", result.components},
-                    {"seconds",
-                     {{"read", loaded.seconds_reading},
-                      {"examine", loaded.seconds_examining},
-                      {"assemble", result.seconds_assembling},
-                      {"verify", result.seconds_verifying}}},
-                    {"failures", verification.failures},
-                    {"verified", static_cast<bool>(verification)}};
+  const Json report{
+    {"meridian", MERIDIAN_VERSION},      {"input", report_input(arguments.mesh, loaded.soup, examination)},
+    {"components", result.components},   {"seconds", report_seconds(loaded, result)},
+    {"failures", verification.failures}, {"verified", static_cast<bool>(verification)}};
 
   files::Output_files out;
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }

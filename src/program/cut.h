@@ -44,6 +44,9 @@ Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const 
 Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,
                         Terminal& terminal);
 
+// How long reading, examining, putting together and recounting took.
+Json report_seconds(const Loaded_mesh& loaded, const Cut_result& result);
+
 // The curves of all components as they are written.
 std::vector<Result_curve> name_curves(const std::vector<Cut>& cuts, const Assembled_result& assembled);
 

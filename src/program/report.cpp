@@ -144,6 +144,17 @@ Pair_place locate(const Generators& g, const Generator_pair& pair, double unit)
   return {in_file(low), in_file(high), in_file(weight > 0 ? (1 / weight) * sum : low)};
 }
 
+// What pairs and loops have in common; `Curves` is `Generators` or `Homology_basis`.
+template <class Curves> void add_curve_counts(Json& r, const Curves& found, const Curve_count& count)
+{
+  r["intersection_matrix"] = report_intersections(count);
+  r["is_basis"] = count.is_basis;
+  r["new_vertices"] = found.surface.origins.size();
+  r["smallest_angle_before"] = degrees(found.smallest_angle_before);
+  r["smallest_angle_after"] = degrees(found.smallest_angle_after);
+  r["seconds"] = report_seconds(found.seconds);
+}
+
 } // namespace
 
 Json report_generators(const Generators& g, const Surface_component& component, const Curve_count& count,
@@ -181,12 +192,7 @@ Json report_generators(const Generators& g, const Surface_component& component, 
   r["field"]["morse_smale"] = g.is_morse_smale;
   r["field"]["saddle_connections"] = g.saddle_connections;
   r["generators"] = pairs;
-  r["intersection_matrix"] = report_intersections(count);
-  r["is_basis"] = count.is_basis;
-  r["new_vertices"] = g.surface.origins.size();
-  r["smallest_angle_before"] = degrees(g.smallest_angle_before);
-  r["smallest_angle_after"] = degrees(g.smallest_angle_after);
-  r["seconds"] = report_seconds(g.seconds);
+  add_curve_counts(r, g, count);
   return r;
 }
 
@@ -203,12 +209,7 @@ Json report_basis(const Homology_basis& b, const Surface_component& component, c
     length += component.unit * c.length;
   }
   r["basis"] = {{"loops", loops}, {"length", length}};
-  r["intersection_matrix"] = report_intersections(count);
-  r["is_basis"] = count.is_basis;
-  r["new_vertices"] = b.surface.origins.size();
-  r["smallest_angle_before"] = degrees(b.smallest_angle_before);
-  r["smallest_angle_after"] = degrees(b.smallest_angle_after);
-  r["seconds"] = report_seconds(b.seconds);
+  add_curve_counts(r, b, count);
   return r;
 }
 

@@ -364,11 +364,7 @@ int run_unwrap(const Unwrap_arguments& arguments)
               {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)},
               {"components", result.components},
               {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
-              {"seconds",
-               {{"read", loaded.seconds_reading},
-                {"examine", loaded.seconds_examining},
-                {"assemble", result.seconds_assembling},
-                {"verify", result.seconds_verifying}}},
+              {"seconds", report_seconds(loaded, result)},
               {"failures", verification.failures},
               {"verified", static_cast<bool>(verification)}};
 

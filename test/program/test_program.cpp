@@ -2,6 +2,7 @@
 
 #include "support/run_program.h"
 #include "support/sample_surfaces.h"
+#include "support/written_meshes.h"
 
 #include "files/read_mesh.h"
 #include "files/write_mesh.h"
@@ -13,18 +14,10 @@
 #include <nlohmann/json.hpp>
 
 using namespace meridian;
+using written::contains;
+using written::obj;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::string obj(const Triangle_surface& s)
-{
-  Result_mesh m;
-  m.points = s.points;
-  m.faces = s.triangles;
-  return files::format_mesh("x.obj", m);
-}
 
 struct Fixture : program::Workplace
 {

@@ -3,6 +3,7 @@
 
 #include "support/run_program.h"
 #include "support/sample_surfaces.h"
+#include "support/written_meshes.h"
 
 #include "files/png.h"
 #include "files/read_mesh.h"
@@ -17,18 +18,10 @@
 #include <sstream>
 
 using namespace meridian;
+using written::contains;
+using written::obj;
 
 namespace {
-
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::string obj(const Triangle_surface& s)
-{
-  Result_mesh m;
-  m.points = s.points;
-  m.faces = s.triangles;
-  return files::format_mesh("x.obj", m);
-}
 
 std::vector<std::string> lines_of(const std::string& text, const std::string& key)
 {

@@ -9,7 +9,7 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianSurface
-/// numbers in groups: group `g` has the elements `element[begin[g]]` to `element[begin[g + 1] - 1]`, in ascending order.
+/// numbers in groups: group `g` has the elements `element[begin[g]]` to `element[begin[g + 1] - 1]`, ascending.
 struct Groups
 {
   std::vector<Index> begin, element;

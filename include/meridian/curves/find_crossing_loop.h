@@ -3,13 +3,13 @@
 #define MERIDIAN_CURVES_FIND_CROSSING_LOOP_H
 
 #include <meridian/base/vectors.h>
+#include <meridian/curves/Gap_records.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <unordered_map>
 #include <vector>
 
 namespace meridian {
@@ -37,7 +37,7 @@ class Crossing_loop_search
 {
 public:
   explicit Crossing_loop_search(const Normal_curves& curves)
-    : m_curves(curves), m_surface(curves.surface()), m_plain(m_surface.number_of_halfedges())
+    : m_curves(curves), m_surface(curves.surface()), m_reached(curves)
   {}
 
   // The shortest closed walk that crosses curve `m` once, from right to left, and no other curve: from the left side of
@@ -56,7 +56,6 @@ private:
     bool is_done = false;
   };
 
-  Reached& reached(const Gap& g);
   Point point(const Gap& g) const { return m_surface.point_on(g.edge, m_curves.middle(g)); }
 
   // Dijkstra's algorithm on gaps; two are neighbours if they lie on one region of a face.
@@ -70,9 +69,7 @@ private:
 
   const Normal_curves& m_curves;
   const Triangle_surface& m_surface;
-  std::vector<Reached> m_plain;                         // of edges without crossings
-  std::unordered_map<std::uint64_t, Reached> m_crowded; // of gaps on the others
-  std::uint32_t m_run = 0;
+  Gap_records<Reached> m_reached;
 };
 
 } // namespace internal

@@ -3,6 +3,7 @@
 #define MERIDIAN_CUT_INTERNAL_NETWORK_EXCHANGE_H
 
 #include <meridian/base/vectors.h>
+#include <meridian/curves/Gap_records.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/internal/disc_walk.h>
@@ -34,9 +35,7 @@ void tidy_vertex(Normal_curves& curves, Index v);
 class Network_exchange
 {
 public:
-  explicit Network_exchange(Normal_curves& curves)
-    : m_curves(curves), m_surface(curves.surface()), m_plain(m_surface.number_of_halfedges())
-  {}
+  explicit Network_exchange(Normal_curves& curves) : m_curves(curves), m_surface(curves.surface()), m_reached(curves) {}
 
   // Puts shorter curves in the place of others. Returns how many. `pause` is called between tries; it may throw.
   int run(const Tighten_options& options, const std::function<void()>& pause);
@@ -69,7 +68,6 @@ private:
     std::array<Disc_side, 2> sides;
   };
 
-  Reached& reached(const Gap& g);
   Point point(const Gap& g) const { return m_surface.point_on(g.edge, m_curves.middle(g)); }
 
   // The vertex that a curve can be moved to from crossing `x`, or -1.
@@ -147,10 +145,8 @@ private:
   std::unordered_map<Index, std::size_t> m_boundary_place; // of pieces of boundary, by the vertex after them
   std::vector<double> m_length;                            // of each curve; 0 if it is gone
   std::vector<Root> m_roots;
-  std::set<Index> m_changed_edges, m_changed_vertices;  // since the cells were grown
-  std::vector<Reached> m_plain;                         // of edges without crossings
-  std::unordered_map<std::uint64_t, Reached> m_crowded; // of gaps on the others
-  std::uint32_t m_run = 0;
+  std::set<Index> m_changed_edges, m_changed_vertices; // since the cells were grown
+  Gap_records<Reached> m_reached;
   std::map<std::pair<std::size_t, std::size_t>, Candidate> m_candidates;
   using Entry = std::tuple<double, Index, Index>; // distance and gap
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
