@@ -4,13 +4,11 @@
 #include "shifted_laplacian.h"
 #include <meridian/base/exceptions.h>
 #include <meridian/field/intrinsic_delaunay.h>
+#include <meridian/field/largest_eigenpairs.h>
 #include <meridian/surface/measures.h>
-
-#include <Spectra/SymEigsShiftSolver.h>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +19,7 @@ namespace internal {
 
 namespace {
 
-using Eigenpair = std::pair<double, Eigen::VectorXd>; // of the inverse
+using Eigenpair = std::pair<double, Eigen::VectorXd>;
 
 bool has_lower_value(const Eigenpair& a, const Eigenpair& b) { return a.first < b.first; }
 
@@ -30,27 +28,19 @@ bool has_lower_value(const Eigenpair& a, const Eigenpair& b) { return a.first < 
 bool append_eigenpairs(Shifted_laplacian& laplacian, Index n, Index count, std::vector<Eigenpair>& found)
 {
   Index subspace = std::min(n, std::max<Index>(2 * count + 10, 24));
-  for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace)) try
+  for (int attempt = 0; attempt < 3; ++attempt, subspace = std::min(n, 2 * subspace))
+  {
+    const Eigenpairs pairs = largest_eigenpairs(
+      n, [&](const double* in, double* out) { laplacian.perform_op(in, out); }, count, subspace, 200, 1e-10);
+    if (pairs.values.empty()) { continue; }
+    for (Index i = 0; i < count; ++i)
     {
-      Spectra::SymEigsShiftSolver<Shifted_laplacian> solver(laplacian, count, subspace, -Shifted_laplacian::shift);
-      solver.init(); // from a fixed seed
-      solver.compute(Spectra::SortRule::LargestMagn, 200, 1e-10, Spectra::SortRule::SmallestAlge);
-      if (solver.info() != Spectra::CompInfo::Successful) { continue; }
-      const Eigen::VectorXd values = solver.eigenvalues();
-      const Eigen::MatrixXd vectors = solver.eigenvectors();
-      for (Index i = 0; i < count; ++i)
-      {
-        found.emplace_back(values[i], vectors.col(i));
-        laplacian.exclude(vectors.col(i));
-      }
-      return true;
+      const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(pairs.vectors[i].data(), n);
+      found.emplace_back(1 / pairs.values[i] - Shifted_laplacian::shift, x);
+      laplacian.exclude(x);
     }
-    catch (const Solver_error&)
-    {
-      throw;
-    }
-    catch (const std::exception&)
-    {} // Spectra's own: the small matrix of a subspace had no eigenvalues
+    return true;
+  }
   return false;
 }
 

@@ -14,22 +14,18 @@
 namespace meridian {
 namespace internal {
 
-// The inverse of M^(-1/2) L M^(-1/2) + shift, on the complement of the constant function and of what was excluded. The
-// matrix operation of Spectra's symmetric solvers. Weights and masses are divided by the median diagonal of L and the
-// sum of the masses: so the lowest eigenvalue of a round surface is about 10 (4 pi^2 on a flat torus of squares with
-// weights 1), and the shift lies well below it.
+// The inverse of M^(-1/2) L M^(-1/2) + shift, on the complement of the constant function and of what was excluded.
+// Weights and masses are divided by the median diagonal of L and the sum of the masses: so the lowest eigenvalue of a
+// round surface is about 10 (4 pi^2 on a flat torus of squares with weights 1), and the shift lies well below it.
 class Shifted_laplacian
 {
 public:
-  using Scalar = double;
   static constexpr double shift = 1e-2;
 
   Shifted_laplacian(const Closed_model& g, const std::vector<double>& weights, const std::vector<double>& mass,
                     Make_solver make_solver);
 
   Eigen::Index rows() const { return m_root.size(); }
-  Eigen::Index cols() const { return m_root.size(); }
-  void set_shift(double) {} // it is fixed, so that one factorization serves several solvers
   double total_mass() const { return m_total_mass; }
 
   void perform_op(const double* in, double* out) const;
@@ -53,7 +49,7 @@ private:
   double m_total_mass = 0;
   std::vector<Eigen::VectorXd> m_excluded; // orthonormal
   std::unique_ptr<Sparse_solver> m_solver;
-  mutable std::vector<double> m_right, m_solution; // Spectra's operations are const
+  mutable std::vector<double> m_right, m_solution;
 };
 
 } // namespace internal

@@ -6,6 +6,10 @@
 
 #include <meridian/base/Polygon_soup.h>
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace meridian {
 namespace files {
 
@@ -15,6 +19,10 @@ Polygon_soup read_obj(const std::string& bytes);
 Polygon_soup read_stl(const std::string& bytes);
 Polygon_soup read_ply(const std::string& bytes);
 Polygon_soup read_vtp(const std::string& bytes);
+
+// Adds the triangles of a strip; every other one is turned.
+void add_strip(Polygon_soup& soup, std::vector<std::int32_t>::const_iterator first,
+               std::vector<std::int32_t>::const_iterator end);
 
 } // namespace files
 } // namespace meridian

@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
@@ -79,6 +80,18 @@ Polygon_soup read_mesh(const std::string& path)
   catch (const File_error& e)
   {
     throw File_error(path + ": " + e.what());
+  }
+}
+
+void add_strip(Polygon_soup& soup, std::vector<std::int32_t>::const_iterator first,
+               std::vector<std::int32_t>::const_iterator end)
+{
+  const std::ptrdiff_t size = end - first;
+  for (std::ptrdiff_t j = 2; j < size; ++j)
+  {
+    const bool odd = j % 2 == 1;
+    const std::array<std::int32_t, 3> t{first[j - 2], first[odd ? j : j - 1], first[odd ? j - 1 : j]};
+    soup.add_polygon(t.data(), 3);
   }
 }
 

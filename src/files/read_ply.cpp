@@ -5,6 +5,7 @@
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/vectors.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -151,20 +152,14 @@ Header read_header(std::string_view text)
   return header;
 }
 
-// Adds the triangles of a strip: -1 ends a strip; every other triangle is turned.
-void add_strip(Polygon_soup& soup, const std::vector<std::int32_t>& list)
+// Adds the triangles of strips: -1 ends a strip.
+void add_strips(Polygon_soup& soup, const std::vector<std::int32_t>& list)
 {
-  for (std::size_t j = 0, first = 0; j < list.size(); ++j)
+  for (auto first = list.begin(); first != list.end();)
   {
-    if (list[j] == -1)
-    {
-      first = j + 1;
-      continue;
-    }
-    if (j < first + 2) { continue; }
-    const bool odd = (j - first) % 2 == 1;
-    const std::array<std::int32_t, 3> t{list[j - 2], list[odd ? j : j - 1], list[odd ? j - 1 : j]};
-    soup.add_polygon(t.data(), 3);
+    const auto end = std::find(first, list.end(), -1);
+    add_strip(soup, first, end);
+    first = end == list.end() ? end : end + 1;
   }
 }
 
@@ -242,7 +237,7 @@ private:
     for (std::int64_t j = 0; j < static_cast<std::int64_t>(n); ++j) { m_list.push_back(body.index(p.type)); }
     if (static_cast<int>(k) != m_corners) { return; }
     if (m_is_face) { soup.add_polygon(m_list.data(), m_list.size()); }
-    if (m_is_strip) { add_strip(soup, m_list); }
+    if (m_is_strip) { add_strips(soup, m_list); }
   }
 
   const Element& m_element;

@@ -214,17 +214,6 @@ pugi::xml_node parse(pugi::xml_document& xml, const std::string& text)
   return root;
 }
 
-// Adds the triangles of a strip: every other one is turned.
-void add_strip(Polygon_soup& soup, const std::vector<std::int32_t>& strip)
-{
-  for (std::size_t j = 2; j < strip.size(); ++j)
-  {
-    const bool odd = j % 2 == 1;
-    const std::array<std::int32_t, 3> t{strip[j - 2], strip[odd ? j : j - 1], strip[odd ? j - 1 : j]};
-    soup.add_polygon(t.data(), 3);
-  }
-}
-
 // Adds the points of a piece to a soup, and then its cells.
 class Piece_reader
 {
@@ -271,7 +260,7 @@ private:
       }
       m_polygon.clear();
       for (; static_cast<double>(at) < end; ++at) { m_polygon.push_back(vertex(corners[at])); }
-      if (kind[0] == 'S') { add_strip(m_soup, m_polygon); }
+      if (kind[0] == 'S') { add_strip(m_soup, m_polygon.begin(), m_polygon.end()); }
       else { m_soup.add_polygon(m_polygon.data(), m_polygon.size()); }
     }
   }

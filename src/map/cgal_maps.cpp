@@ -17,6 +17,7 @@
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace meridian {
@@ -25,10 +26,44 @@ namespace internal {
 
 namespace {
 
-// The messages of CGAL 5.5 belong to other codes from the fourth on.
-std::string explain_error(CGAL::Surface_mesh_parameterization::Error_code code)
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Solver =
+  CGAL::Eigen_solver_traits<Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType, Eigen::COLAMDOrdering<int>>>;
+
+// A disc as CGAL's parameterizers take it.
+struct Cgal_disc
 {
-  namespace SMP = CGAL::Surface_mesh_parameterization;
+  Mesh mesh;
+  Mesh::Halfedge_index border;
+  Mesh::Property_map<Mesh::Vertex_index, Kernel::Point_2> uv;
+};
+
+// The shape of the border is chosen when the program runs, so that each method is compiled once.
+class Circle_or_square
+{
+public:
+  explicit Circle_or_square(bool is_square) : m_is_square(is_square) {}
+
+  template <class Uv_map, class Index_map, class Flag_map>
+  SMP::Error_code parameterize(const Mesh& mesh, Mesh::Halfedge_index border, Uv_map uv, Index_map index, Flag_map done)
+  {
+    return m_is_square ? m_square.parameterize(mesh, border, uv, index, done)
+                       : m_circle.parameterize(mesh, border, uv, index, done);
+  }
+  bool is_border_convex() const { return true; }
+
+private:
+  bool m_is_square;
+  SMP::Circular_border_arc_length_parameterizer_3<Mesh> m_circle;
+  SMP::Square_border_arc_length_parameterizer_3<Mesh> m_square;
+};
+
+// The messages of CGAL 5.5 belong to other codes from the fourth on.
+std::string explain_error(SMP::Error_code code)
+{
   switch (code)
   {
   case SMP::OK: return "";
@@ -45,54 +80,41 @@ std::string explain_error(CGAL::Surface_mesh_parameterization::Error_code code)
   return "CGAL's error " + std::to_string(code);
 }
 
+SMP::Error_code map_disc(Cgal_disc& disc, Map_method method, bool in_square)
+{
+  const Circle_or_square shape(in_square);
+  const auto run = [&](auto parameterizer) {
+    return SMP::parameterize(disc.mesh, parameterizer, disc.border, disc.uv);
+  };
+  switch (method)
+  {
+  case Map_method::MEAN_VALUE:
+    return run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
+  case Map_method::TUTTE: return run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
+  case Map_method::CONFORMAL:
+    return run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
+  case Map_method::AUTHALIC: return run(SMP::Discrete_authalic_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
+  case Map_method::LSCM: return run(SMP::LSCM_parameterizer_3<Mesh>());
+  default: return run(SMP::ARAP_parameterizer_3<Mesh, SMP::Two_vertices_parameterizer_3<Mesh>, Solver>());
+  }
+}
+
 } // namespace
 
 std::string map_with_cgal(const Triangle_surface& disc, Map_method method, bool in_square, std::vector<Plane_point>& at)
 {
-  namespace SMP = CGAL::Surface_mesh_parameterization;
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-  using Circle = SMP::Circular_border_arc_length_parameterizer_3<Mesh>;
-  using Square = SMP::Square_border_arc_length_parameterizer_3<Mesh>;
-  using Solver = CGAL::Eigen_solver_traits<
-    Eigen::SparseLU<CGAL::Eigen_sparse_matrix<double>::EigenType, Eigen::COLAMDOrdering<int>>>;
-  Mesh mesh;
+  Cgal_disc d;
   std::vector<Mesh::Vertex_index> vertex;
-  for (const Point& p : disc.points) { vertex.push_back(mesh.add_vertex({p[0], p[1], p[2]})); }
-  for (const auto& t : disc.triangles) { mesh.add_face(vertex[t[0]], vertex[t[1]], vertex[t[2]]); }
-  const auto uv = mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
+  for (const Point& p : disc.points) { vertex.push_back(d.mesh.add_vertex({p[0], p[1], p[2]})); }
+  for (const auto& t : disc.triangles) { d.mesh.add_face(vertex[t[0]], vertex[t[1]], vertex[t[2]]); }
+  d.uv = d.mesh.add_property_map<Mesh::Vertex_index, Kernel::Point_2>("v:uv").first;
   const auto loops = boundary_loops(disc);
   const Index h = loops.front().front();
-  const auto border = mesh.opposite(mesh.halfedge(vertex[disc.source(h)], vertex[disc.target(h)]));
+  d.border = d.mesh.opposite(d.mesh.halfedge(vertex[disc.source(h)], vertex[disc.target(h)]));
 
-  const auto run = [&](auto parameterizer) { return SMP::parameterize(mesh, parameterizer, border, uv); };
-  SMP::Error_code code = SMP::OK;
-  switch (method)
-  {
-  case Map_method::MEAN_VALUE:
-    code = in_square ? run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Square, Solver>())
-                     : run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Circle, Solver>());
-    break;
-  case Map_method::TUTTE:
-    code = in_square ? run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Square, Solver>())
-                     : run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Circle, Solver>());
-    break;
-  case Map_method::CONFORMAL:
-    code = in_square ? run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Square, Solver>())
-                     : run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Circle, Solver>());
-    break;
-  case Map_method::AUTHALIC:
-    code = in_square ? run(SMP::Discrete_authalic_parameterizer_3<Mesh, Square, Solver>())
-                     : run(SMP::Discrete_authalic_parameterizer_3<Mesh, Circle, Solver>());
-    break;
-  case Map_method::LSCM: code = run(SMP::LSCM_parameterizer_3<Mesh>()); break;
-  case Map_method::ARAP:
-    code = run(SMP::ARAP_parameterizer_3<Mesh, SMP::Two_vertices_parameterizer_3<Mesh>, Solver>());
-    break;
-  default: return "CGAL has no such method";
-  }
+  SMP::Error_code code = map_disc(d, method, in_square);
   at.clear();
-  for (const auto v : vertex) { at.push_back({uv[v].x(), uv[v].y()}); }
+  for (const auto v : vertex) { at.push_back({d.uv[v].x(), d.uv[v].y()}); }
   // squares are run around the other way
   if (area_of(disc.triangles, at) < 0)
   {

@@ -11,6 +11,10 @@
 #include <new>
 #include <vector>
 
+#if __has_include(<malloc.h>)
+#include <malloc.h>
+#endif
+
 // OpenBLAS, where it is the BLAS of this system, must not split sums between threads: equal bytes out for equal bytes
 // in. CHOLMOD's own threads only wait for each other on the small blocks of a surface mesh.
 extern "C" void openblas_set_num_threads(int) __attribute__((weak));
@@ -94,6 +98,12 @@ int main(int argc, char** argv)
   if (openblas_set_num_threads) { openblas_set_num_threads(1); }
   // CHOLMOD asks for four threads, whatever their number is set to
   if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
+
+#ifdef M_MMAP_THRESHOLD
+  // arrays are taken again and again: memory that is given back to the system each time costs a third of a run
+  mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most that glibc allows
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+#endif
 
   CLI::App app{"Cuts any triangle mesh into a disc along smooth curves, and proves with integers that it did.\n"
                "Meshes are OFF, OBJ, STL, PLY or VTP files, or gzip of these."};

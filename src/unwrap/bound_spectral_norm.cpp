@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bound_spectral_norm.h"
 
-#include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/SymEigsSolver.h>
+#include <meridian/field/largest_eigenpairs.h>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 namespace meridian {
 
@@ -26,23 +24,16 @@ double bound_spectral_norm(const Eigen::SparseMatrix<double>& a)
   if (n < 3 || !(gershgorin > 0) || !std::isfinite(gershgorin)) { return gershgorin; }
 
   const Matrix unit = a / gershgorin; // so that units do not matter
-  double estimate = 1;
-  try
-  {
-    Spectra::SparseSymMatProd<double> product(unit);
-    Spectra::SymEigsSolver<Spectra::SparseSymMatProd<double>> solver(product, 1, std::min<Eigen::Index>(n, 24));
-    solver.init(); // from a fixed seed
-    solver.compute(Spectra::SortRule::LargestAlge, 300, 5e-4);
-    if (solver.info() != Spectra::CompInfo::Successful) { return gershgorin; }
-    const Eigen::VectorXd x = solver.eigenvectors().col(0);
-    const double value = solver.eigenvalues()[0], residual = (unit * x - value * x).norm() / x.norm();
-    estimate = value + residual;
-  }
-  // Spectra's own: the small matrix of a subspace had no eigenvalues
-  catch (const std::exception&)
-  {
-    return gershgorin;
-  }
+  const auto product = [&](const double* in, double* out) {
+    Eigen::Map<Eigen::VectorXd>(out, n).noalias() =
+      unit.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(in, n);
+  };
+  const Eigenpairs top =
+    largest_eigenpairs(static_cast<Index>(n), product, 1, static_cast<Index>(std::min<Eigen::Index>(n, 24)), 300, 5e-4);
+  if (top.values.empty()) { return gershgorin; }
+  const Eigen::VectorXd x = Eigen::Map<const Eigen::VectorXd>(top.vectors.front().data(), n);
+  const double value = top.values.front(), residual = (unit * x - value * x).norm() / x.norm();
+  const double estimate = value + residual;
   for (double margin : {1e-4, 1e-3, 1e-2})
   {
     const double bound = estimate * (1 + margin);

@@ -3,11 +3,7 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
-
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Simple_cartesian.h>
+#include <meridian/surface/Triangle_tree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,24 +42,13 @@ template <class Function> void for_each_sample(const Triangle_surface& s, std::s
 
 Sampled_distance measure_distance(const Triangle_surface& from, const Triangle_surface& to, std::size_t count)
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Triangle_list = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangle_list::const_iterator>;
-  const auto point = [](const Point& p) { return Kernel::Point_3(p[0], p[1], p[2]); };
-  Triangle_list triangles;
-  for (const auto& t : to.triangles)
-  {
-    const Kernel::Triangle_3 triangle(point(to.points[t[0]]), point(to.points[t[1]]), point(to.points[t[2]]));
-    if (!triangle.is_degenerate()) { triangles.push_back(triangle); } // what has no area lies on the edges of others
-  }
-  if (triangles.empty()) { throw Invalid_input_error("distances cannot be measured to a surface without area"); }
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree(triangles.begin(), triangles.end());
-  tree.build();
-  tree.accelerate_distance_queries();
+  Triangle_tree tree(to);
+  if (tree.empty()) { throw Invalid_input_error("distances cannot be measured to a surface without area"); }
+  tree.accelerate_distances();
   double largest = 0, sum = 0;
   std::size_t samples = 0;
   const auto squared = [&](const Point& p) {
-    const double d = tree.squared_distance(point(p));
+    const double d = tree.squared_distance(p);
     largest = std::max(largest, d);
     return d;
   };

@@ -30,8 +30,10 @@ void turn_whole_border(const Triangle_surface& disc, Border_strands& border)
   for (std::size_t i = 0; i < n; ++i) { angle[i] = angle_at(disc, side.vertices[i]); }
   for (std::size_t i = 0; i <= 3 * n; ++i)
   {
-    around[i] = strand.along[i % n] + strand.steps * static_cast<double>(i / n);
+    const auto turns = i / n;
+    around[i] = strand.along[i % n] + strand.steps * static_cast<double>(turns);
   }
+  const auto steps_of_side = strand.steps / 4;
   std::size_t best = 0;
   double least = 1e300;
   for (std::size_t i = 0; i < n; ++i)
@@ -39,7 +41,7 @@ void turn_whole_border(const Triangle_surface& disc, Border_strands& border)
     double cost = angle[i];
     for (int quarter = 1; quarter < 4; ++quarter)
     {
-      const Index v = vertex_near(around, around[n + i] + quarter * (strand.steps / 4));
+      const Index v = vertex_near(around, around[n + i] + quarter * steps_of_side);
       cost += v < 0 ? cost_inside_edge : angle[v % n];
     }
     if (cost < least - 1e-9)
