@@ -99,9 +99,9 @@ int main(int argc, char** argv)
   // CHOLMOD asks for four threads, whatever their number is set to
   if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
 
-#ifdef M_MMAP_THRESHOLD
-  // arrays are taken again and again: memory that is given back to the system each time costs a third of a run
-  mallopt(M_MMAP_THRESHOLD, 32 << 20); // the most that glibc allows
+#ifdef M_MMAP_MAX
+  // arrays are taken again and again: memory that is given back to the system each time costs up to half of a run
+  mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
 #endif
 
