@@ -13,9 +13,9 @@ namespace meridian {
 
 namespace internal {
 
-std::vector<Contact> Sleeve_search::find_spanning_contacts()
+std::vector<Contact> Sleeve_search::find_spanning_contacts(Extent extent)
 {
-  const std::vector<Contact> contacts = collect_contacts();
+  const std::vector<Contact> contacts = collect_contacts(extent);
   // The weight of a contact is its place in the order in which cells meet, so that ties are broken as the search did.
   std::vector<Spanning_edge> edges;
   for (const Contact& c : contacts) { edges.push_back({c.from, c.to, static_cast<double>(edges.size())}); }
@@ -24,7 +24,7 @@ std::vector<Contact> Sleeve_search::find_spanning_contacts()
   return tree;
 }
 
-std::vector<Contact> Sleeve_search::collect_contacts()
+std::vector<Contact> Sleeve_search::collect_contacts(Extent extent)
 {
   const Index faces = m_slit.surface().number_of_faces();
   m_reached.assign(faces, Reached{});
@@ -36,7 +36,7 @@ std::vector<Contact> Sleeve_search::collect_contacts()
   Index missing = m_slit.number_of_loops() - 1; // links, until all boundaries are joined
   std::vector<Contact> contacts;
   std::vector<char> is_done(faces, 0);
-  while (!growth.empty() && missing > 0)
+  while (!growth.empty() && (missing > 0 || extent == Extent::WHOLE))
   {
     const Growth_event e = growth.top();
     growth.pop();

@@ -67,6 +67,7 @@ void find_meridians(const Triangle_surface& root, const Ordered_surface& m, int 
        [&](const std::vector<double>& values) { return internal::average_along(root, m, loop, values); }});
   }
   search.choices = select_meridians(m, search.loops, rank_by_preference(search.candidates, preference));
+  for (Loop_candidate& c : search.candidates) { c.average = nullptr; } // it looks at a loop that may be moved below
   if (static_cast<int>(search.choices.size()) != genus)
     throw Internal_error("find_meridians: " + std::to_string(search.choices.size())
                          + " meridians on a surface of genus " + std::to_string(genus));

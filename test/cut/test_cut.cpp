@@ -11,6 +11,8 @@
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
+#include <meridian/cut/internal/sleeve_search.h>
+#include <meridian/cut/internal/slit_surface.h>
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/handles/find_meridians.h>
@@ -492,6 +494,7 @@ BOOST_DATA_TEST_CASE(tightened_meridians_keep_their_class, data::xrange(1, 7), g
     Meridian_search search;
     search.loops = trace_saddle_loops(m);
     find_meridians(s, m, genus, preference::short_length, search);
+    for (const Loop_candidate& c : search.candidates) { BOOST_TEST(!c.average); } // its loop may have moved
     Normal_curves curves(s, genus);
     internal::add_contours(internal::project_crossings(s, m, search.chosen()), curves, 1);
     const internal::Tree_cotree basis(s);
@@ -517,5 +520,27 @@ BOOST_DATA_TEST_CASE(tightened_meridians_keep_their_class, data::xrange(1, 7), g
     BOOST_TEST(length > 0);
     BOOST_TEST((classes() == before));
     for (Index crossings : curves.count_crossings()) { BOOST_TEST(crossings == 0); }
+  }
+}
+
+// The search for links may end early: contacts come nearest first, so what comes later cannot change the tree.
+BOOST_AUTO_TEST_CASE(the_early_end_of_the_link_search_gives_the_whole_tree)
+{
+  using internal::Sleeve_search;
+  const Triangle_surface s =
+    sample::punctured(sample::noisy(sample::torus(40, 20), 0.05, 3), {0, 55, 110, 300, 471, 700});
+  Refined_surface refined(s);
+  internal::Slit_surface slit(s, refined, false);
+  BOOST_REQUIRE(slit.number_of_loops() == 6);
+  const auto early = Sleeve_search(slit).find_spanning_contacts();
+  const auto whole = Sleeve_search(slit).find_spanning_contacts(Sleeve_search::Extent::WHOLE);
+  BOOST_REQUIRE(early.size() == 5u);
+  BOOST_REQUIRE(whole.size() == early.size());
+  for (std::size_t i = 0; i < early.size(); ++i)
+  {
+    BOOST_TEST(early[i].from == whole[i].from);
+    BOOST_TEST(early[i].to == whole[i].to);
+    BOOST_TEST(early[i].halfedge == whole[i].halfedge);
+    BOOST_TEST(early[i].along == whole[i].along);
   }
 }

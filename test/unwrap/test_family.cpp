@@ -4,10 +4,14 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
+#include <meridian/curves/Normal_curves.h>
+#include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/project_contours.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
+#include <meridian/field/Two_point_fields.h>
+#include <meridian/field/Two_point_fields.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/field/eigenfunctions.h>
 #include <meridian/field/geodesic_distance.h>
@@ -19,6 +23,8 @@
 #include <meridian/result/recount.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/Triangle_tree.h>
+#include <meridian/surface/Triangle_tree.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/open_along.h>
 #include <meridian/surface/visibility.h>
@@ -273,14 +279,15 @@ BOOST_AUTO_TEST_CASE(what_an_eye_sees)
 }
 
 // Every method with every tightening, on edges and off them.
-BOOST_DATA_TEST_CASE(every_method_gives_a_disc, data::xrange(6) * data::xrange(0, 4), method, genus)
+BOOST_DATA_TEST_CASE(every_method_gives_a_disc, data::xrange(all_cut_methods.size()) * data::xrange(0, 4), method,
+                     genus)
 {
   for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.08, 3), holed_plate(genus)})
     for (const Tightening t : {Tightening::NONE, Tightening::CURVES, Tightening::GRAPH})
       for (const bool on_edges : {false, true})
       {
         Cut_options o;
-        o.method = static_cast<Cut_method>(method);
+        o.method = all_cut_methods[method];
         o.tightening = t;
         o.on_edges = on_edges;
         o.bases = 3;
@@ -364,4 +371,15 @@ BOOST_AUTO_TEST_CASE(the_best_cuts_are_those_that_none_beats)
   const std::vector<char> expected{1, 1, 0, 1, 1, 1};
   BOOST_TEST((find_best_cuts(costs) == expected));
   BOOST_TEST(find_best_cuts({}).empty());
+}
+
+// What keeps a surface takes none that is about to end.
+BOOST_AUTO_TEST_CASE(no_family_of_a_temporary)
+{
+  static_assert(std::is_constructible_v<Cut_family, const Triangle_surface&, int>);
+  static_assert(!std::is_constructible_v<Cut_family, Triangle_surface, int>);
+  static_assert(!std::is_constructible_v<internal::Two_point_fields, Triangle_surface, Make_solver>);
+  static_assert(!std::is_constructible_v<Normal_curves, Triangle_surface, Index>);
+  static_assert(!std::is_constructible_v<Triangle_tree, Triangle_surface>);
+  BOOST_TEST(std::size(all_cut_methods) == static_cast<std::size_t>(all_cut_methods.back()) + 1);
 }

@@ -32,7 +32,9 @@ public:
     double t;
   };
 
+  /// The surface must outlive the curves.
   Normal_curves(const Triangle_surface& surface, Index curves) : Face_chords(surface, curves) {}
+  Normal_curves(Triangle_surface&& surface, Index curves) = delete;
 
   /// adds a closed curve, which must not be there yet.
   void add(Index curve, const std::vector<Step>& steps);

@@ -40,6 +40,8 @@ public:
     : m_curves(curves), m_surface(curves.surface()), m_reached(curves)
   {}
 
+  explicit Crossing_loop_search(Normal_curves&& curves) = delete;
+
   // The shortest closed walk that crosses curve `m` once, from right to left, and no other curve: from the left side of
   // the curve through gaps to its right side, and along that side back to where it began. If the curve does not
   // separate the surface cut along the others there is one.

@@ -46,6 +46,7 @@ public:
   /// \param descend whether lines go down
   /// \param critical its critical points, as `find_critical_points(m.surface, m.rank)` gives them
   Flow_tracer(const Ordered_surface& m, bool descend, const std::vector<Critical_point>& critical);
+  Flow_tracer(Ordered_surface&& m, bool descend, const std::vector<Critical_point>& critical) = delete;
 
   /// traces the two lines of a saddle
   void trace(Index saddle);

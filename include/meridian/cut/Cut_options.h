@@ -12,6 +12,8 @@
 #include <meridian/field/edge_weights.h>
 #include <meridian/handles/preference.h>
 
+#include <array>
+
 namespace meridian {
 
 /// \ingroup PkgMeridianCut
@@ -33,6 +35,12 @@ enum class Cut_method
   TREE_COTREE,   ///< edges: the shortest loops at a base point (Erickson, Whittlesey 2005), for the best of several
   GEOMETRY_IMAGE ///< edges: what is left when faces are removed and keep a disc (Gu, Gortler, Hoppe 2002)
 };
+
+/// \ingroup PkgMeridianCut
+/// all methods, in the order of their declaration.
+inline constexpr std::array<Cut_method, 6> all_cut_methods{Cut_method::CONTOURS,    Cut_method::GENERATORS,
+                                                           Cut_method::MORSE,       Cut_method::GEODESIC,
+                                                           Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE};
 
 /// \ingroup PkgMeridianCut
 /// what is made shorter before the surface is opened.

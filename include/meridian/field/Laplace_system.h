@@ -26,6 +26,11 @@ public:
     : m_graph(graph), m_weights(weights), m_make_solver(make_solver), m_row(graph.number_of_nodes, -1)
   {}
 
+  Laplace_system(Closed_model&& graph, const std::vector<double>& weights,
+                 Make_solver make_solver = make_symmetric_solver) = delete;
+  Laplace_system(const Closed_model& graph, std::vector<double>&& weights,
+                 Make_solver make_solver = make_symmetric_solver) = delete;
+
   const Closed_model& graph() const { return m_graph; }
 
   // Writes the solution at the nodes `unknown` to `x`; `known(a)` is the value at any other node next to them.

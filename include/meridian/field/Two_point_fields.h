@@ -19,6 +19,7 @@ class Two_point_fields
 {
 public:
   Two_point_fields(const Triangle_surface& root, Make_solver make_solver);
+  Two_point_fields(Triangle_surface&& root, Make_solver make_solver) = delete;
 
   // False if the two are one node or the system cannot be solved.
   bool order(Index low, Index high, Ordered_surface& m);

@@ -24,7 +24,8 @@ struct Loop_candidate
   Curvature curvature; ///< at that vertex; zero on the boundary
   double length;       ///< of the loop
   bool is_longer;      ///< whether the other loop of the saddle is shorter
-  /// \returns the mean along the loop of values at the root's vertices
+  /// \returns the mean along the loop of values at the root's vertices. Empty once meridians are chosen: loops move
+  ///          then.
   std::function<double(const std::vector<double>&)> average;
 };
 

@@ -20,8 +20,8 @@ MERIDIAN_FOR_EACH_PARAMETER(MERIDIAN_TAG)
 } // namespace internal_np
 
 /// \ingroup PkgMeridianParameters
-/// a CGAL parameter pack that also knows this package's names. CGAL's names may follow ours in a chain:
-/// `cut_options(o).vertex_point_map(vpm)`.
+/// a CGAL parameter pack that also knows this package's names: `parameters::cut_options(o)`. What a function does not
+/// use is a compile error.
 template <class T, class Tag, class Base = CGAL::internal_np::No_property>
 struct Parameters : CGAL::Named_function_parameters<T, Tag, Base>
 {

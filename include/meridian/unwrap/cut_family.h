@@ -51,6 +51,7 @@ public:
   /// \param options what all members share
   /// \pre `root` is connected
   Cut_family(const Triangle_surface& root, int size, const Cut_options& options = Cut_options());
+  Cut_family(Triangle_surface&& root, int size, const Cut_options& options = Cut_options()) = delete;
 
   /// the next member.
   /// \returns nothing after the last

@@ -35,8 +35,15 @@ public:
     : m_slit(slit), m_cell(slit.surface().number_of_faces(), -1), m_known_parents(slit.parents.size())
   {}
 
-  // The pairs of a minimum spanning tree of the boundaries, nearest first. The search ends when the tree is whole.
-  std::vector<Contact> find_spanning_contacts();
+  enum class Extent
+  {
+    SPANNING, // ends when all boundaries are joined
+    WHOLE     // until every face is in a cell
+  };
+
+  // The pairs of a minimum spanning tree of the boundaries, nearest first. Contacts come in order, so a longer search
+  // finds the same tree.
+  std::vector<Contact> find_spanning_contacts(Extent extent = Extent::SPANNING);
 
   // The strip through the two cells of a contact, if no link has changed a face of it.
   bool along_cells(const Contact& c, Sleeve& sleeve) const;
@@ -84,8 +91,8 @@ private:
   };
   using Growth = std::priority_queue<Growth_event, std::vector<Growth_event>, Is_later>;
 
-  // Grows the cells until contacts join all boundaries. Returns all contacts on the way, nearest first.
-  std::vector<Contact> collect_contacts();
+  // Grows the cells. Returns all contacts on the way, nearest first.
+  std::vector<Contact> collect_contacts(Extent extent);
   void seed_cell(Index loop, Growth& growth);
   Contact contact_of(const Growth_event& e) const;
   void leave_face(Index f, const std::vector<char>& is_done, Growth& growth);
