@@ -4,7 +4,6 @@
 #include <meridian/map/planar_map.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,39 +13,6 @@
 namespace meridian {
 
 namespace {
-
-// The direction in which a chart's bounding rectangle has the least area, as a unit vector. One side lies on the convex
-// hull.
-Plane_point upright_direction(const std::vector<Plane_point>& at)
-{
-  const std::vector<Plane_point> hull = convex_hull(at);
-  Plane_point best{1, 0};
-  double least = std::numeric_limits<double>::infinity();
-  const std::size_t n = hull.size(), stride = n / 256 + 1; // a round chart has many sides that are all alike
-  for (std::size_t i = 0; i < n; i += stride)
-  {
-    const Plane_point side = hull[(i + 1) % n] - hull[i];
-    const double length = norm(side);
-    if (!(length > 0)) { continue; }
-    const Plane_point d = (1 / length) * side;
-    std::array<double, 2> low{0, 0}, high{0, 0};
-    for (const Plane_point& q : hull)
-    {
-      const Plane_point p = q - hull[i];
-      const std::array<double, 2> turned{dot(p, d), cross(d, p)};
-      for (int k = 0; k < 2; ++k)
-      {
-        low[k] = std::min(low[k], turned[k]);
-        high[k] = std::max(high[k], turned[k]);
-      }
-    }
-    const double area = (high[0] - low[0]) * (high[1] - low[1]);
-    if (!(area < least)) { continue; }
-    least = area;
-    best = high[0] - low[0] < high[1] - low[1] ? Plane_point{d[1], -d[0]} : d; // lying rather than standing
-  }
-  return best;
-}
 
 // Charts in their rectangles, which are put on shelves.
 class Chart_packer
@@ -96,7 +62,7 @@ private:
   {
     const double image = area_of(*chart.triangles, chart.at);
     const double scale = image > 0 && chart.area > 0 ? std::sqrt(chart.area / image) : 1;
-    const Plane_point d = is_turned ? upright_direction(chart.at) : Plane_point{1, 0};
+    const Plane_point d = is_turned ? longer_side_of_smallest_rectangle(chart.at) : Plane_point{1, 0};
     std::vector<Plane_point> turned;
     for (const Plane_point& p : chart.at) { turned.push_back({scale * dot(p, d), scale * cross(d, p)}); }
     return turned;

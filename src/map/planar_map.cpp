@@ -4,6 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/convex_hull_2.h>
+#include <CGAL/min_quadrilateral_2.h>
 
 #include <iterator>
 
@@ -46,14 +47,23 @@ bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& a
   return CGAL::is_simple_2(polygon.begin(), polygon.end());
 }
 
-std::vector<Plane_point> convex_hull(const std::vector<Plane_point>& points)
+Plane_point longer_side_of_smallest_rectangle(const std::vector<Plane_point>& points)
 {
-  std::vector<Point_2> all, corners;
+  std::vector<Point_2> all, hull, corners;
   for (const Plane_point& p : points) { all.emplace_back(p[0], p[1]); }
-  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(corners));
-  std::vector<Plane_point> hull;
-  for (const Point_2& p : corners) { hull.push_back({p.x(), p.y()}); }
-  return hull;
+  CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
+  if (hull.size() == 2)
+  {
+    corners = hull; // all points lie on a line
+  }
+  if (hull.size() > 2) { CGAL::min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(corners)); }
+  Plane_point longest{0, 0};
+  for (std::size_t i = 0; i + 1 < corners.size() && i < 2; ++i)
+  {
+    const Plane_point side{corners[i + 1].x() - corners[i].x(), corners[i + 1].y() - corners[i].y()};
+    if (norm(side) > norm(longest)) { longest = side; }
+  }
+  return norm(longest) > 0 ? (1 / norm(longest)) * longest : Plane_point{1, 0};
 }
 
 } // namespace meridian

@@ -566,3 +566,24 @@ BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
   torn.seams.pop_back();
   BOOST_TEST(!verify_unwrapping(soup, torn, texture));
 }
+
+// A grid in a turned rectangle lies along its longer side; points on a line along it; one point anyhow.
+BOOST_AUTO_TEST_CASE(the_smallest_rectangle_lies_along_its_longer_side)
+{
+  for (const double angle : {0., 0.3, 1.2, 2.5})
+  {
+    const Plane_point d{std::cos(angle), std::sin(angle)}, across{-d[1], d[0]};
+    std::vector<Plane_point> grid, line;
+    for (int i = 0; i <= 5; ++i)
+    {
+      line.push_back((0.3 * i) * d);
+      for (int j = 0; j <= 3; ++j) { grid.push_back((0.3 * i) * d + (0.4 * j) * across); }
+    }
+    for (const auto& points : {grid, line})
+    {
+      const Plane_point side = longer_side_of_smallest_rectangle(points);
+      BOOST_TEST(std::abs(dot(side, d)) == 1, boost::test_tools::tolerance(1e-12));
+    }
+  }
+  BOOST_TEST(norm(longer_side_of_smallest_rectangle({{2, 3}, {2, 3}})) == 1);
+}

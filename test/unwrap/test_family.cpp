@@ -5,12 +5,10 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
-#include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/project_contours.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
-#include <meridian/field/Two_point_fields.h>
 #include <meridian/field/Two_point_fields.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/field/eigenfunctions.h>
@@ -23,7 +21,6 @@
 #include <meridian/result/recount.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
-#include <meridian/surface/Triangle_tree.h>
 #include <meridian/surface/Triangle_tree.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/open_along.h>

@@ -30,8 +30,11 @@ double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::ve
 bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at);
 
 /// \ingroup PkgMeridianParameterization
-/// \returns the corners of the convex hull of some points, counterclockwise: exact
-std::vector<Plane_point> convex_hull(const std::vector<Plane_point>& points);
+/// \returns the direction of the longer side of the rectangle of least area around some points, of length 1
+///          (CGAL's rotating calipers; Toussaint 1983)
+/// \par Complexity
+/// \f$ O(n \log n) \f$
+Plane_point longer_side_of_smallest_rectangle(const std::vector<Plane_point>& points);
 
 } // namespace meridian
 
