@@ -52,11 +52,8 @@ Plane_point longer_side_of_smallest_rectangle(const std::vector<Plane_point>& po
   std::vector<Point_2> all, hull, corners;
   for (const Plane_point& p : points) { all.emplace_back(p[0], p[1]); }
   CGAL::convex_hull_2(all.begin(), all.end(), std::back_inserter(hull));
-  if (hull.size() == 2)
-  {
-    corners = hull; // all points lie on a line
-  }
   if (hull.size() > 2) { CGAL::min_rectangle_2(hull.begin(), hull.end(), std::back_inserter(corners)); }
+  else { corners = hull; } // all points lie on a line
   Plane_point longest{0, 0};
   for (std::size_t i = 0; i + 1 < corners.size() && i < 2; ++i)
   {

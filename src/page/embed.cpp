@@ -5,6 +5,7 @@ MERIDIAN_EMBED(meridian_three, MERIDIAN_THREE "/build/three.min.js")
 MERIDIAN_EMBED(meridian_controls, MERIDIAN_THREE "/examples/js/controls/TrackballControls.js")
 MERIDIAN_EMBED(meridian_line_geometry, MERIDIAN_THREE "/examples/js/lines/LineSegmentsGeometry.js")
 MERIDIAN_EMBED(meridian_line_material, MERIDIAN_THREE "/examples/js/lines/LineMaterial.js")
+MERIDIAN_EMBED(meridian_shared, MERIDIAN_SHARED_SCRIPT)
 MERIDIAN_EMBED(meridian_line_segments, MERIDIAN_THREE "/examples/js/lines/LineSegments2.js")
 
 namespace meridian {
@@ -20,7 +21,8 @@ std::string library_scripts()
   return script(meridian_three_begin, meridian_three_end) + script(meridian_controls_begin, meridian_controls_end)
          + script(meridian_line_geometry_begin, meridian_line_geometry_end)
          + script(meridian_line_material_begin, meridian_line_material_end)
-         + script(meridian_line_segments_begin, meridian_line_segments_end);
+         + script(meridian_line_segments_begin, meridian_line_segments_end)
+         + script(meridian_shared_begin, meridian_shared_end);
 }
 
 std::string escaped(const std::string& text)

@@ -18,7 +18,7 @@ namespace page {
 // A script element.
 std::string script(const char* begin, const char* end);
 
-// The script elements of three.js, of controls to turn a view, and of wide lines.
+// The script elements of three.js, of controls to turn a view, and of wide lines, and of what our pages share.
 std::string library_scripts();
 
 // Text as it stands in HTML.

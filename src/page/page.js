@@ -1,10 +1,5 @@
 'use strict';
 (function () {
-  function bytes(text) {
-    const raw = atob(text), array = new Uint8Array(raw.length);
-    for (let i = 0; i < raw.length; ++i) array[i] = raw.charCodeAt(i);
-    return array.buffer;
-  }
   const positions = new Float32Array(bytes(data.positions)), field = new Float32Array(bytes(data.field));
   const corners = new Uint32Array(bytes(data.corners));
 
@@ -29,7 +24,8 @@
       shader.vertexShader.replace('#include <begin_vertex>', '#include <begin_vertex>\nvLevel = level;');
     shader.fragmentShader = 'varying float vLevel;\n' +
       shader.fragmentShader.replace('#include <color_fragment>',
-        '#include <color_fragment>\nif (vLevel >= 0.0 && mod(floor(vLevel * 40.0), 2.0) < 0.5) diffuseColor.rgb *= 0.9;');
+        '#include <color_fragment>\n' +
+        'if (vLevel >= 0.0 && mod(floor(vLevel * 40.0), 2.0) < 0.5) diffuseColor.rgb *= 0.9;');
   };
   const scene = new THREE.Scene();
   scene.background = new THREE.Color(0xffffff);
@@ -44,11 +40,14 @@
     scene.add(new THREE.LineSegments2(lines, paint));
     return paint;
   }
-  const paints = [curves(data.flow, 0x2f7d3b, 2), curves(data.meridians, 0xd3202a, 4), curves(data.others, 0x1535b8, 4)].filter(function (p) { return p; });
+  const paints = [
+    curves(data.flow, 0x2f7d3b, 2), curves(data.meridians, 0xd3202a, 4), curves(data.others, 0x1535b8, 4)
+  ].filter(function (p) { return p; });
 
   const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
   let radius = 0;
-  for (let i = 0; i < positions.length; i += 3) radius = Math.max(radius, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));
+  for (let i = 0; i < positions.length; i += 3)
+    radius = Math.max(radius, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));
   camera.position.set(1.5, 1.1, 2.8).setLength(2.95 * radius);
   const light = new THREE.DirectionalLight(0xffffff, 0.55);
   camera.add(light);
@@ -92,8 +91,7 @@
 
   // With #count in the address: how many pixels show something, for whoever opens the page without eyes.
   if (location.hash === '#count') {
-    const gl = renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, pixels = new Uint8Array(4 * w * h);
-    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const pixels = readPixels(renderer).values;
     let drawn = 0, cut = 0;
     for (let i = 0; i < pixels.length; i += 4) {
       if (pixels[i] < 250 || pixels[i + 1] < 250 || pixels[i + 2] < 250) ++drawn;

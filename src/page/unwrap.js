@@ -1,16 +1,12 @@
 'use strict';
 (function () {
-  function bytes(text) {
-    const raw = atob(text), array = new Uint8Array(raw.length);
-    for (let i = 0; i < raw.length; ++i) array[i] = raw.charCodeAt(i);
-    return array.buffer;
-  }
   const positions = new Float32Array(bytes(data.positions)), places = new Float32Array(bytes(data.places));
   const original = new Uint32Array(bytes(data.original)), corners = new Uint32Array(bytes(data.corners));
   const stretch = new Float32Array(bytes(data.stretch));
 
   // Normals of vertices before they were doubled, so that seams cast no edge.
-  const normals = new Float32Array(positions.length), a = new THREE.Vector3(), b = new THREE.Vector3(), c = new THREE.Vector3();
+  const normals = new Float32Array(positions.length);
+  const a = new THREE.Vector3(), b = new THREE.Vector3(), c = new THREE.Vector3();
   for (let i = 0; i < corners.length; i += 3) {
     a.fromArray(positions, 3 * original[corners[i]]);
     b.fromArray(positions, 3 * original[corners[i + 1]]).sub(a);
@@ -25,7 +21,8 @@
   }
 
   // One vertex a corner, because stretch belongs to faces.
-  const n = corners.length, at = new Float32Array(3 * n), turn = new Float32Array(3 * n), place = new Float32Array(2 * n), value = new Float32Array(n);
+  const n = corners.length, at = new Float32Array(3 * n), turn = new Float32Array(3 * n);
+  const place = new Float32Array(2 * n), value = new Float32Array(n);
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
   let covered = 0;
   for (let i = 0; i < n; ++i) {
@@ -42,7 +39,8 @@
     value[i] = Math.min(Math.max(Math.log2(stretch[Math.floor(i / 3)]) / 2, -1), 1);
     if (i % 3 === 2) {
       const p = 2 * (i - 2);
-      covered += Math.abs((place[p + 2] - place[p]) * (place[p + 5] - place[p + 1]) - (place[p + 4] - place[p]) * (place[p + 3] - place[p + 1])) / 2;
+      covered += Math.abs((place[p + 2] - place[p]) * (place[p + 5] - place[p + 1])
+        - (place[p + 4] - place[p]) * (place[p + 3] - place[p + 1])) / 2;
     }
   }
   const geometry = new THREE.BufferGeometry();
@@ -52,11 +50,13 @@
   geometry.setAttribute('value', new THREE.BufferAttribute(value, 1));
 
   // Squares of one size on the whole surface if nothing is stretched; dark ones grow red to the right and blue upwards.
-  const squares = { value: Math.min(Math.max(Math.round(40 / Math.sqrt(covered || 1)), 5), 200) }, mode = { value: location.hash === '#stretch' ? 1 : 0 };
+  const squares = { value: Math.min(Math.max(Math.round(40 / Math.sqrt(covered || 1)), 5), 200) };
+  const mode = { value: location.hash === '#stretch' ? 1 : 0 };
   function material(isFlat) {
     return new THREE.ShaderMaterial({
       uniforms: { squares: squares, mode: mode },
-      side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1.5, extensions: { derivatives: true },
+      side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1.5, polygonOffsetUnits: 1.5,
+      extensions: { derivatives: true },
       vertexShader: `
         attribute float value;
         varying vec2 vPlace;
@@ -75,9 +75,12 @@
         varying float vValue;
         void main() {
           vec2 p = vPlace * squares, w = max(fwidth(p), 1e-5);
-          vec2 share = (abs(fract((p - 0.5 * w) * 0.5) - 0.5) - abs(fract((p + 0.5 * w) * 0.5) - 0.5)) * 2.0 / w; // of a pixel's width
-          vec3 board = mix(vec3(0.25 + 0.45 * vPlace.x, 0.34, 0.25 + 0.45 * vPlace.y), vec3(0.93), 0.5 - 0.5 * share.x * share.y);
-          vec3 heat = mix(vec3(0.933, 0.933, 0.918), vValue > 0.0 ? vec3(0.784, 0.118, 0.157) : vec3(0.118, 0.294, 0.745), abs(vValue));
+          // of a pixel's width
+          vec2 share = (abs(fract((p - 0.5 * w) * 0.5) - 0.5) - abs(fract((p + 0.5 * w) * 0.5) - 0.5)) * 2.0 / w;
+          vec3 board = mix(vec3(0.25 + 0.45 * vPlace.x, 0.34, 0.25 + 0.45 * vPlace.y), vec3(0.93),
+                           0.5 - 0.5 * share.x * share.y);
+          vec3 heat = mix(vec3(0.933, 0.933, 0.918),
+                          vValue > 0.0 ? vec3(0.784, 0.118, 0.157) : vec3(0.118, 0.294, 0.745), abs(vValue));
           vec3 color = mode > 0.5 ? heat : board;
           gl_FragColor = vec4(color * ` + (isFlat ? '1.0' : '(0.35 + 0.65 * abs(normalize(vNormal).z))') + `, 1.0);
         }`
@@ -105,10 +108,12 @@
   lines(surface, data.seams, 3, function (v) { return positions.subarray(3 * original[v], 3 * original[v] + 3); });
   lines(layout, data.borders, 2, function (v) { return [places[2 * v], places[2 * v + 1], 0.01]; });
 
-  const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100), above = new THREE.OrthographicCamera(-1, 1, 1, -1, -1, 1);
+  const camera = new THREE.PerspectiveCamera(35, 1, 0.01, 100);
+  const above = new THREE.OrthographicCamera(-1, 1, 1, -1, -1, 1);
   let radius = 0;
   for (let i = 0; i < at.length; i += 3) radius = Math.max(radius, Math.hypot(at[i], at[i + 1], at[i + 2]));
-  camera.position.set(1.5, 1.1, 2.8).setLength(3.35 * (radius || 1) * Math.max(1, window.innerHeight / (window.innerWidth / 2)));
+  camera.position.set(1.5, 1.1, 2.8)
+    .setLength(3.35 * (radius || 1) * Math.max(1, window.innerHeight / (window.innerWidth / 2)));
   const renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   renderer.setPixelRatio(window.devicePixelRatio);
   renderer.setScissorTest(true);
@@ -162,7 +167,8 @@
     render();
   }, { passive: false });
 
-  const toggle = document.getElementById('toggle'), range = document.getElementById('squares'), scale = document.getElementById('scale');
+  const toggle = document.getElementById('toggle'), range = document.getElementById('squares');
+  const scale = document.getElementById('scale');
   function show(what) {
     mode.value = what;
     toggle.textContent = what ? 'show checkerboard' : 'show stretch';
@@ -173,14 +179,15 @@
   range.value = squares.value;
   range.addEventListener('input', function () { squares.value = Number(range.value); render(); });
   toggle.addEventListener('click', function () { show(1 - mode.value); });
-  window.addEventListener('keydown', function (event) { if (event.key === 'c' || event.key === 'C') show(1 - mode.value); });
+  window.addEventListener('keydown', function (event) {
+    if (event.key === 'c' || event.key === 'C') show(1 - mode.value);
+  });
   resize();
   show(mode.value);
 
   // With #count in the address: how many pixels show something, for whoever opens the page without eyes.
   if (location.hash === '#count') {
-    const gl = renderer.getContext(), w = gl.drawingBufferWidth, h = gl.drawingBufferHeight, pixels = new Uint8Array(4 * w * h);
-    gl.readPixels(0, 0, w, h, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+    const { values: pixels, width: w } = readPixels(renderer);
     let drawn = 0, flatDrawn = 0, dark = 0;
     for (let i = 0; i < pixels.length; i += 4) {
       const isDrawn = pixels[i] < 250 || pixels[i + 1] < 250 || pixels[i + 2] < 250;

@@ -44,8 +44,7 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
   const Surface_component& c = loaded.examination.components[place];
   Cut_options o;
   set_field_options(a, loaded, place, o, o.preference, o.levels);
-  for (Cut_method method : {Cut_method::CONTOURS, Cut_method::GENERATORS, Cut_method::MORSE, Cut_method::GEODESIC,
-                            Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE})
+  for (Cut_method method : cut_methods)
   {
     if (a.method == name_of(method)) { o.method = method; }
   }

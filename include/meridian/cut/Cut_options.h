@@ -38,9 +38,9 @@ enum class Cut_method
 
 /// \ingroup PkgMeridianCut
 /// all methods, in the order of their declaration.
-inline constexpr std::array<Cut_method, 6> all_cut_methods{Cut_method::CONTOURS,    Cut_method::GENERATORS,
-                                                           Cut_method::MORSE,       Cut_method::GEODESIC,
-                                                           Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE};
+inline constexpr std::array<Cut_method, 6> cut_methods{Cut_method::CONTOURS,    Cut_method::GENERATORS,
+                                                       Cut_method::MORSE,       Cut_method::GEODESIC,
+                                                       Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE};
 
 /// \ingroup PkgMeridianCut
 /// what is made shorter before the surface is opened.
