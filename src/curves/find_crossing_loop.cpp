@@ -2,11 +2,10 @@
 #include <meridian/curves/find_crossing_loop.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/curves/chords.h>
+#include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
-#include <functional>
-#include <queue>
-#include <tuple>
 
 namespace meridian {
 
@@ -52,8 +51,8 @@ Crossing_loop Crossing_loop_search::find(Index m)
   std::map<Gap, Index> source, target; // the crossing of `m` beside it
   for (Index x : m_curves.crossings(m))
   {
-    source.emplace(m_curves.beside(x, true), x);
-    target.emplace(m_curves.beside(x, false), x);
+    source.emplace(gap_beside(m_curves, x, true), x);
+    target.emplace(gap_beside(m_curves, x, false), x);
   }
   const Gap end = search(source, target);
   if (end.edge < 0) { throw Internal_error("find_crossing_loop: the two sides of a curve cannot be joined"); }
@@ -64,38 +63,39 @@ Crossing_loop_search::Gap Crossing_loop_search::search(const std::map<Gap, Index
                                                        const std::map<Gap, Index>& target)
 {
   m_reached.forget();
-  using Entry = std::tuple<double, Index, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  Nearest_first<Gap> queue;
   for (const auto& [gap, x] : source)
   {
     m_reached[gap].distance = 0;
-    queue.emplace(0., gap.edge, gap.place);
+    queue.reach(0, gap);
   }
-  while (!queue.empty())
-  {
-    const Gap gap{std::get<1>(queue.top()), std::get<2>(queue.top())};
-    queue.pop();
+  Gap end{-1, -1};
+  queue.search([&](double at, const Gap& gap) {
     Reached& here = m_reached[gap];
-    if (here.is_done) { continue; }
+    if (here.is_done) { return false; }
     here.is_done = true;
-    if (target.count(gap)) { return gap; }
-    const double at = here.distance;
+    if (target.count(gap))
+    {
+      end = gap;
+      return true;
+    }
     const Point from = point(gap);
     for (Index h : {gap.edge, m_surface.opposite[gap.edge]})
     {
       // what lies in the face before was reached from there
       if (h < 0 || m_surface.face(h) == here.face) { continue; }
-      m_curves.for_each_gap_around(gap, m_surface.face(h), [&](const Gap& to, Index) {
+      for_each_gap_around(m_curves, gap, m_surface.face(h), [&](const Gap& to, Index) {
         if (m_surface.opposite[to.edge] < 0 || to == gap) { return; }
         Reached& there = m_reached[to];
         const double d = at + distance(from, point(to));
         if (there.is_done || !(d < there.distance)) { return; }
         there = {d, gap, m_surface.face(h), m_reached.run(), false};
-        queue.emplace(d, to.edge, to.place);
+        queue.reach(d, to);
       });
     }
-  }
-  return {-1, -1};
+    return false;
+  });
+  return end;
 }
 
 Gap_walk Crossing_loop_search::walk_to(const Gap& end)
@@ -133,8 +133,8 @@ Crossing_loop Crossing_loop_search::close(const Gap& end, Index first, Index las
   for (Index x = last; x != first;)
   {
     const Index y = forward ? m_curves[x].next : m_curves[x].prev;
-    stops.back().face_after = forward ? m_curves.face_after(x) : m_curves.face_after(y);
-    if (y != first) { stops.push_back({m_curves.beside(y, false), -1}); }
+    stops.back().face_after = forward ? face_after(m_curves, x) : face_after(m_curves, y);
+    if (y != first) { stops.push_back({gap_beside(m_curves, y, false), -1}); }
     x = y;
   }
   reduce(walk);
@@ -149,7 +149,7 @@ Crossing_loop Crossing_loop_search::close(const Gap& end, Index first, Index las
     {
       throw Internal_error("find_crossing_loop: a walk leaves a face through an edge of another");
     }
-    loop.steps.push_back({h, stops[i].gap.place, m_curves.middle(stops[i].gap)});
+    loop.steps.push_back({h, stops[i].gap.place, middle_of(m_curves, stops[i].gap)});
   }
   return loop;
 }

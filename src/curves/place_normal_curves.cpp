@@ -2,6 +2,7 @@
 #include <meridian/curves/place_normal_curves.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/place_crossings.h>
 #include <meridian/surface/Triangle_surface.h>
 
@@ -17,11 +18,11 @@ Meeting find_meeting(const Normal_curves& curves, Index c)
   const Index face = curves.meeting(c);
   for (Index x : curves.crossings(c))
   {
-    if (face < 0 || curves.face_after(x) != face) { continue; }
-    const Index end = curves[x].next, y = curves.crossed_by(end, face);
+    if (face < 0 || face_after(curves, x) != face) { continue; }
+    const Index end = curves[x].next, y = partner_across(curves, end, face);
     if (y < 0) { continue; }
     for (Index a : {x, end})
-      for (Index b : {y, curves.across(y, face)})
+      for (Index b : {y, chord_across(curves, y, face)})
         if (curves.edge(a) == curves.edge(b) && std::abs(curves[a].place - curves[b].place) == 1) { return {a, b}; }
     throw Internal_error("find_meeting: something stands between two curves that cross");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/curves/tighten_curves.h>
 
+#include <meridian/curves/chords.h>
 #include <meridian/curves/sleeve.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
@@ -148,7 +149,7 @@ void trim_detour(const Normal_curves& curves, const std::vector<Index>& run, std
 bool find_detour(const Normal_curves& curves, const std::vector<Index>& run, bool is_left, std::vector<Index>& detour)
 {
   const Triangle_surface& s = curves.surface();
-  const Index goal = curves.face_after(run.back()), h0 = curves[run.front()].halfedge;
+  const Index goal = face_after(curves, run.back()), h0 = curves[run.front()].halfedge;
   if (s.face(h0) == goal) { return false; }
   for (Index g = is_left ? s.next(h0) : s.prev(h0);; g = is_left ? s.next(s.opposite[g]) : s.prev(s.opposite[g]))
   {
@@ -170,7 +171,7 @@ bool reroute_at_meeting(Normal_curves& curves, const std::vector<Index>& run, co
   Index count = 0, meeting = -1;
   for (Index f : star)
   {
-    const Index here = curves.count_in_face(c, f);
+    const Index here = count_in_face(curves, c, f);
     count += here;
     if (here > 0) { meeting = f; }
   }

@@ -6,6 +6,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/add_contours.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/flow_lines.h>
 #include <meridian/curves/morse_complex.h>
@@ -50,7 +51,7 @@ void cut_along_contours(const Triangle_surface& root, const Ordered_surface& m, 
       Tighten_options tightening = options.tighten_options;
       tightening.progress = [&](double done) { run.progress(Stage::TIGHTEN, done); };
       tighten_curves(curves, tightening);
-      for (Index crossings : curves.count_crossings())
+      for (Index crossings : count_crossings(curves))
       {
         if (crossings > 0) { throw Internal_error("cut_to_disc: two meridians cross"); }
       }

@@ -5,6 +5,7 @@
 #include <meridian/cut/internal/edge_trees.h>
 #include <meridian/cut/internal/straighten_paths.h>
 #include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Face_tree.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/seams.h>
 
@@ -126,7 +127,7 @@ std::vector<Index> cut_by_removing_faces(const Triangle_surface& s, Index seed_f
     const Closed_model g = make_closed_model(s);
     seed_face = g.number_of_nodes < 2 ? 0 : s.face(s.outgoing[g.representative[find_distant_nodes(s, g).first]]);
   }
-  std::vector<Index> crossed = internal::face_tree(s, seed_face);
+  std::vector<Index> crossed = internal::grow_face_tree(s, seed_face).by;
   crossed.erase(std::remove(crossed.begin(), crossed.end(), -1), crossed.end());
   std::vector<char> is_cut = internal::edges_beside_face_tree(s, crossed);
   internal::prune(s, is_cut);

@@ -8,10 +8,7 @@
 #include <meridian/surface/measures.h>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -93,35 +90,6 @@ void prune(const Triangle_surface& s, std::vector<char>& is_cut)
     --degree[w];
     if (dangles(w)) { dangling.push_back(w); }
   }
-}
-
-std::vector<Index> face_tree(const Triangle_surface& s, Index seed)
-{
-  std::vector<double> at(s.number_of_faces(), std::numeric_limits<double>::infinity());
-  std::vector<Index> by(s.number_of_faces(), -1);
-  std::priority_queue<std::pair<double, Index>, std::vector<std::pair<double, Index>>, std::greater<>> queue;
-  at[seed] = 0;
-  queue.emplace(0., seed);
-  while (!queue.empty())
-  {
-    const auto [d, f] = queue.top();
-    queue.pop();
-    if (d > at[f]) { continue; }
-    const auto& t = s.triangles[f];
-    const Point entry =
-      by[f] >= 0 ? s.point_on(by[f], 0.5) : (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      if (s.opposite[h] < 0) { continue; }
-      const Index g = s.face(s.opposite[h]);
-      const double reached = d + distance(entry, s.point_on(h, 0.5));
-      if (!(reached < at[g]) || g == seed) { continue; }
-      at[g] = reached;
-      by[g] = h;
-      queue.emplace(reached, g);
-    }
-  }
-  return by;
 }
 
 } // namespace internal

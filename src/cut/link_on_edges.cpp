@@ -5,13 +5,11 @@
 #include <meridian/cut/internal/slit_surface.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/measures.h>
+#include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -59,10 +57,9 @@ public:
   // The next link, flagged, as vertices from the tree to the boundary that it joins.
   std::vector<Index> add_link()
   {
-    while (!m_queue.empty())
+    while (!m_queue.is_empty())
     {
-      const auto [d, h] = m_queue.top();
-      m_queue.pop();
+      const auto [d, h] = m_queue.pop();
       const Index v = m_surface.target(h);
       if (m_surface.seam[h]) { continue; } // a link by now
       if (!m_is_used[v])
@@ -100,7 +97,7 @@ private:
     if (!m_slit.may_cross(h)) { return; }
     const Index v = m_surface.source(h), w = m_surface.target(h);
     if (m_forbidden[0] >= 0 && std::minmax(v, w) == std::minmax(m_forbidden[0], m_forbidden[1])) { return; }
-    m_queue.emplace(d + m_surface.length(h), h);
+    m_queue.reach(d + m_surface.length(h), h);
   }
 
   Refined_surface& m_surface;
@@ -111,8 +108,7 @@ private:
   std::vector<char> m_is_joined;  // of each boundary
   // the ends of an edge that is no link on a closed surface: cut alone, it would open nothing
   std::array<Index, 2> m_forbidden{-1, -1};
-  using Entry = std::pair<double, Index>; // of a halfedge, its length included
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
+  Nearest_first<Index> m_queue; // halfedges, each with its length
 };
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <meridian/cut/internal/network_exchange.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/sleeve.h>
 #include <meridian/cut/internal/network_moves.h>
 
@@ -13,7 +14,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -118,14 +118,12 @@ void Network_exchange::grow()
   }
   // no way longer than this is of use
   const double farthest = m_length.empty() ? 0 : *std::max_element(m_length.begin(), m_length.end());
-  while (!m_queue.empty())
-  {
-    const Gap gap{std::get<1>(m_queue.top()), std::get<2>(m_queue.top())};
-    m_queue.pop();
-    if (m_reached[gap].is_done) { continue; }
+  m_queue.search([&](double, const Gap& gap) {
+    if (m_reached[gap].is_done) { return false; }
     m_reached[gap].is_done = true;
     for (Index h : {gap.edge, m_surface.opposite[gap.edge]}) { spread(gap, m_surface.face(h), farthest); }
-  }
+    return false;
+  });
 }
 
 void Network_exchange::start(const Gap& g, double d, const Root& root)
@@ -136,7 +134,7 @@ void Network_exchange::start(const Gap& g, double d, const Root& root)
   r.distance = d;
   r.root = static_cast<Index>(m_roots.size());
   m_roots.push_back(root);
-  m_queue.emplace(d, g.edge, g.place);
+  m_queue.reach(d, g);
 }
 
 void Network_exchange::start_at_vertex(Index v, const std::vector<Index>& spokes, std::size_t side)
@@ -153,7 +151,7 @@ void Network_exchange::start_on_curve(std::size_t side)
 {
   for (Index x : m_curves.crossings(m_sides[side].curve))
   {
-    if (free_vertex_beside(x) >= 0) { start(m_curves.beside(x, m_sides[side].is_forward), 0, {-1, x, side}); }
+    if (free_vertex_beside(x) >= 0) { start(gap_beside(m_curves, x, m_sides[side].is_forward), 0, {-1, x, side}); }
   }
 }
 
@@ -189,7 +187,7 @@ void Network_exchange::spread(const Gap& gap, Index face, double farthest)
 {
   const Reached here = m_reached[gap];
   const Point from = point(gap);
-  m_curves.for_each_gap_around(gap, face, [&](const Gap& to, Index) {
+  for_each_gap_around(m_curves, gap, face, [&](const Gap& to, Index) {
     if (m_surface.opposite[to.edge] < 0 || m_curves.along(to.edge) >= 0 || to == gap) { return; }
     Reached& there = m_reached[to];
     const double d = here.distance + distance(from, point(to));
@@ -206,7 +204,7 @@ void Network_exchange::spread(const Gap& gap, Index face, double farthest)
     }
     if (here.face == face || !(d < there.distance) || d > farthest) { return; }
     there = {d, gap, face, here.root, m_reached.run(), false};
-    m_queue.emplace(d, to.edge, to.place);
+    m_queue.reach(d, to);
   });
 }
 
@@ -277,7 +275,7 @@ std::vector<Normal_curves::Step> Network_exchange::steps_along(const std::vector
     const Index e = way[i].edge, o = m_surface.opposite[e];
     const Index h =
       i < faces.size() ? (m_surface.face(e) == faces[i] ? o : e) : (m_surface.face(e) == faces[i - 1] ? e : o);
-    steps.push_back({h, way[i].place, m_curves.middle(way[i])});
+    steps.push_back({h, way[i].place, middle_of(m_curves, way[i])});
   }
   return steps;
 }
@@ -395,7 +393,7 @@ double Network_exchange::tighten_from(Index known, const Tighten_options& option
   for (Index curve = known; curve < m_curves.number_of_curves(); ++curve)
     if (m_curves.is_open(curve))
     {
-      if (!m_curves.is_disjoint(curve)) { return 0; }
+      if (!is_disjoint(m_curves, curve)) { return 0; }
       tighten_curve(m_curves, curve, options);
       gain -= curve_length(m_curves, curve);
     }

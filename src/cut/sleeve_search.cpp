@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -36,10 +39,9 @@ std::vector<Contact> Sleeve_search::collect_contacts(Extent extent)
   Index missing = m_slit.number_of_loops() - 1; // links, until all boundaries are joined
   std::vector<Contact> contacts;
   std::vector<char> is_done(faces, 0);
-  while (!growth.empty() && (missing > 0 || extent == Extent::WHOLE))
+  while (!growth.is_empty() && (missing > 0 || extent == Extent::WHOLE))
   {
-    const Growth_event e = growth.top();
-    growth.pop();
+    const Growth_event e = growth.pop().second;
     if (e.face < 0)
     {
       contacts.push_back(contact_of(e));
@@ -66,14 +68,14 @@ void Sleeve_search::seed_cell(Index loop, Growth& growth)
     {
       m_reached[f] = {0, s.points[s.source(h)], h, true};
       m_cell[f] = loop;
-      growth.push({0, f, -1, false});
+      growth.reach(0, {f, -1, false});
     }
     for (const Index k : {h, s.prev(h)}) // an edge from this boundary to another
     {
       const Index end = k == h ? g : k;
       if (m_slit.may_cross(k) && m_slit.loop(end) >= 0 && m_slit.loop(end) != loop)
       {
-        growth.push({s.length(k) / 2, -1, k, true});
+        growth.reach(s.length(k) / 2, {-1, k, true});
       }
     }
   });
@@ -99,16 +101,75 @@ void Sleeve_search::leave_face(Index f, const std::vector<char>& is_done, Growth
     if (is_done[g])
     {
       if (m_cell[g] != m_cell[f])
-        growth.push({(d + m_reached[g].distance + distance(m_reached[g].entry, middle)) / 2, -1, h, false});
+        growth.reach((d + m_reached[g].distance + distance(m_reached[g].entry, middle)) / 2, {-1, h, false});
       continue;
     }
     if (d < m_reached[g].distance)
     {
       m_reached[g] = {d, middle, h, false};
       m_cell[g] = m_cell[f];
-      growth.push({d, g, -1, false});
+      growth.reach(d, {g, -1, false});
     }
   }
+}
+
+bool Sleeve_search::near(Index from, Index to, Sleeve& sleeve) const
+{
+  return search(from, sleeve, [&](Index f) { return m_cell[f] == from || m_cell[f] == to; });
+}
+
+bool Sleeve_search::anywhere(Index from, Sleeve& sleeve) const
+{
+  return search(from, sleeve, [](Index) { return true; });
+}
+
+bool Sleeve_search::search(Index from, Sleeve& sleeve, const std::function<bool(Index)>& is_allowed, Index to) const
+{
+  const Refined_surface& s = m_slit.surface();
+  Reached_faces reached;
+  std::set<Index> done;
+  Nearest_first<std::pair<Index, Index>> queue; // a face, and the corner of it where a strip ends, or -1
+  const auto reach = [&](Index f, const Reached& r) {
+    Reached& old = reached[f];
+    if (!(r.distance < old.distance)) { return; }
+    old = r;
+    queue.reach(r.distance, {f, -1});
+  };
+  const auto is_wanted = [&](Index loop) {
+    return loop >= 0 && (to >= 0 ? m_slit.are_joined(loop, to) : !m_slit.are_joined(loop, from));
+  };
+  for_each_corner(from, [&](Index h) {
+    if (is_allowed(s.face(h))) { reach(s.face(h), {0, s.points[s.source(h)], h, true}); }
+  });
+  return queue.search([&](double, const std::pair<Index, Index>& place) {
+    const auto [f, corner] = place;
+    if (corner >= 0) { return take_strip(reached, corner, sleeve); }
+    if (!done.insert(f).second) { return false; }
+    const Reached r = reached[f];
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (is_wanted(m_slit.loop(h))) { queue.reach(r.distance + distance(r.entry, s.points[s.source(h)]), {f, h}); }
+      if (!m_slit.may_cross(h)) { continue; }
+      const Index g = s.face(s.opposite[h]);
+      if (!is_allowed(g) || done.count(g)) { continue; }
+      const Point middle = s.point_on(h, 0.5);
+      reach(g, {r.distance + distance(r.entry, middle), middle, h, false});
+    }
+    return false;
+  });
+}
+
+bool Sleeve_search::take_strip(Reached_faces& reached, Index corner, Sleeve& sleeve) const
+{
+  const Refined_surface& s = m_slit.surface();
+  sleeve = Sleeve{};
+  sleeve.end = s.source(corner);
+  Index f = s.face(corner);
+  for (; !reached[f].is_seed; f = s.face(reached[f].by)) { sleeve.halfedges.push_back(reached[f].by); }
+  sleeve.start = s.source(reached[f].by);
+  std::reverse(sleeve.halfedges.begin(), sleeve.halfedges.end());
+  trim(s, sleeve);
+  return is_usable(sleeve);
 }
 
 bool Sleeve_search::along_cells(const Contact& c, Sleeve& sleeve) const

@@ -11,6 +11,7 @@
 #include <functional>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -74,7 +75,9 @@ std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const st
 std::vector<double> edge_distances(const Intrinsic_triangulation& t, Index vertices, const std::vector<Index>& sources)
 {
   const Groups leaving = group_by(vertices, t.number_of_halfedges(), [&](Index h) { return t.source[h]; });
-  return find_shortest_ways(vertices, sources, [&](Index v, const auto& reach) {
+  std::vector<std::pair<double, Index>> starts;
+  for (Index v : sources) { starts.emplace_back(0., v); }
+  return find_shortest_ways(vertices, starts, [&](Index v, const auto& reach) {
     for (Index i = leaving.begin[v]; i < leaving.begin[v + 1]; ++i)
     {
       // Both sides of the corner: a boundary edge has only one halfedge.

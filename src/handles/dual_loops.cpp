@@ -3,12 +3,10 @@
 
 #include <meridian/base/Union_find.h>
 #include <meridian/base/vectors.h>
+#include <meridian/surface/Face_tree.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
-#include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -99,98 +97,49 @@ boost::dynamic_bitset<> Node_tree::parity_of(const std::vector<Passing>& strip) 
 
 namespace {
 
-// Shortest ways through faces from one of them. Distances are measured to the middle of the edge by which a face was
-// entered.
-class Face_tree
+// Whether a tree of faces crosses an edge.
+bool crosses(const Triangle_surface& s, const Face_tree& tree, Index h)
 {
-public:
-  Face_tree(const Triangle_surface& s, Index base)
-    : m_surface(s), m_at(s.number_of_faces(), std::numeric_limits<double>::infinity()), m_by(s.number_of_faces(), -1)
+  const Index o = s.opposite[h];
+  return tree.by[s.face(o)] == h || tree.by[s.face(h)] == o;
+}
+
+// The length of the loop of an edge that the tree does not cross.
+double loop_length(const Triangle_surface& s, const Face_tree& tree, Index h)
+{
+  const Index f = s.face(h), g = s.face(s.opposite[h]);
+  const Point middle = s.point_on(h, 0.5);
+  return tree.distance[f] + tree.distance[g] + distance(tree.entry(s, f), middle) + distance(tree.entry(s, g), middle);
+}
+
+// The loop of an edge, without what it has twice.
+std::vector<Passing> make_loop(const Triangle_surface& s, const std::vector<Index>& by, Index h)
+{
+  std::vector<Passing> there, back;
+  for (Index f = s.face(h); by[f] >= 0; f = s.face(by[f])) { there.push_back({by[f], 0.5}); }
+  for (Index f = s.face(s.opposite[h]); by[f] >= 0; f = s.face(by[f])) { back.push_back({s.opposite[by[f]], 0.5}); }
+  while (!there.empty() && !back.empty() && there.back().halfedge == s.opposite[back.back().halfedge])
   {
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    m_at[base] = 0;
-    queue.emplace(0., base);
-    while (!queue.empty())
-    {
-      const auto [d, f] = queue.top();
-      queue.pop();
-      if (d > m_at[f]) { continue; }
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        if (s.opposite[h] < 0) { continue; }
-        const Index o = s.face(s.opposite[h]);
-        const double reached = d + distance(entry(f), s.point_on(h, 0.5));
-        if (!(reached < m_at[o])) { continue; }
-        m_at[o] = reached;
-        m_by[o] = h;
-        queue.emplace(reached, o);
-      }
-    }
+    there.pop_back();
+    back.pop_back();
   }
-
-  double distance_of(Index f) const { return m_at[f]; }
-
-  // Whether the tree crosses an edge.
-  bool crosses(Index h) const
-  {
-    const Index o = m_surface.opposite[h];
-    return m_by[m_surface.face(o)] == h || m_by[m_surface.face(h)] == o;
-  }
-
-  // The length of the loop of an edge that the tree does not cross.
-  double loop_length(Index h) const
-  {
-    const Index f = m_surface.face(h), g = m_surface.face(m_surface.opposite[h]);
-    const Point middle = m_surface.point_on(h, 0.5);
-    return m_at[f] + m_at[g] + distance(entry(f), middle) + distance(entry(g), middle);
-  }
-
-  // The loop of an edge, without what it has twice.
-  std::vector<Passing> loop(Index h) const
-  {
-    const Triangle_surface& s = m_surface;
-    std::vector<Passing> there, back;
-    for (Index f = s.face(h); m_by[f] >= 0; f = s.face(m_by[f])) { there.push_back({m_by[f], 0.5}); }
-    for (Index f = s.face(s.opposite[h]); m_by[f] >= 0; f = s.face(m_by[f]))
-    {
-      back.push_back({s.opposite[m_by[f]], 0.5});
-    }
-    while (!there.empty() && !back.empty() && there.back().halfedge == s.opposite[back.back().halfedge])
-    {
-      there.pop_back();
-      back.pop_back();
-    }
-    std::reverse(there.begin(), there.end());
-    there.push_back({h, 0.5});
-    there.insert(there.end(), back.begin(), back.end());
-    return there;
-  }
-
-private:
-  Point entry(Index f) const
-  {
-    const auto& t = m_surface.triangles[f];
-    return m_by[f] >= 0 ? m_surface.point_on(m_by[f], 0.5)
-                        : (1. / 3) * (m_surface.points[t[0]] + m_surface.points[t[1]] + m_surface.points[t[2]]);
-  }
-
-  const Triangle_surface& m_surface;
-  std::vector<double> m_at;
-  std::vector<Index> m_by; // the halfedge by which the face before was left
-};
+  std::reverse(there.begin(), there.end());
+  there.push_back({h, 0.5});
+  there.insert(there.end(), back.begin(), back.end());
+  return there;
+}
 
 } // namespace
 
 std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g, Index base, std::vector<double>& far)
 {
-  const Face_tree tree(s, base);
-  for (Index f = 0; f < s.number_of_faces(); ++f) { far[f] = std::min(far[f], tree.distance_of(f)); }
+  const Face_tree tree = grow_face_tree(s, base);
+  for (Index f = 0; f < s.number_of_faces(); ++f) { far[f] = std::min(far[f], tree.distance[f]); }
   std::vector<std::pair<double, Index>> rest; // by the length of their loops, the longest first
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
-    if (s.opposite[h] < h || tree.crosses(h)) { continue; }
-    rest.emplace_back(-tree.loop_length(h), h);
+    if (s.opposite[h] < h || crosses(s, tree, h)) { continue; }
+    rest.emplace_back(-loop_length(s, tree, h), h);
   }
   std::sort(rest.begin(), rest.end());
   Union_find nodes(g.number_of_nodes);
@@ -198,7 +147,7 @@ std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g
   for (const auto& [length, h] : rest)
   {
     if (nodes.unite(g.node[s.source(h)], g.node[s.target(h)])) { continue; }
-    loops.push_back({tree.loop(h), -length, -length, {}});
+    loops.push_back({make_loop(s, tree.by, h), -length, -length, {}});
   }
   return loops;
 }

@@ -5,6 +5,7 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/add_contours.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/find_crossing_loop.h>
 #include <meridian/curves/morse_complex.h>

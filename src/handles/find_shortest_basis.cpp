@@ -18,12 +18,11 @@
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/root_edges.h>
+#include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <map>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -91,15 +90,12 @@ private:
     const Index first = m_surface.face(entry), last = m_surface.face(exit), whole = m_surface.face_of[first];
     // face: distance, and the halfedge by which the one before was left
     std::map<Index, std::pair<double, Index>> reached{{first, {0, -1}}};
-    using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-    queue.emplace(0., first);
+    Nearest_first<Index> queue;
+    queue.reach(0, first);
     const auto from = [&](Index f) { return m_surface.point_on(f == first ? entry : reached.at(f).second, 0.5); };
-    while (!queue.empty() && queue.top().second != last)
-    {
-      const auto [d, f] = queue.top();
-      queue.pop();
-      if (d > reached.at(f).first) { continue; }
+    queue.search([&](double d, Index f) {
+      if (f == last) { return true; }
+      if (d > reached.at(f).first) { return false; }
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
       {
         const Index o = m_surface.opposite[h];
@@ -108,9 +104,10 @@ private:
         const auto [old, is_new] = reached.try_emplace(m_surface.face(o), at, h);
         if (!is_new && !(at < old->second.first)) { continue; }
         old->second = {at, h};
-        queue.emplace(at, m_surface.face(o));
+        queue.reach(at, m_surface.face(o));
       }
-    }
+      return false;
+    });
     if (!reached.count(last)) { throw Internal_error("transfer: a face of the root is not connected"); }
     std::vector<Passing> way;
     for (Index f = last; f != first; f = m_surface.face(way.back().halfedge))

@@ -2,6 +2,7 @@
 #include <meridian/handles/internal/flow_longitudes.h>
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/flow_lines.h>
 #include <meridian/field/Field.h>
 #include <meridian/field/order_surface.h>
@@ -86,7 +87,7 @@ Index Flow_longitudes::nearest_critical(Index saddle) const
 bool Flow_longitudes::add_on_patch(Index i, const Crossing_loop& arc, Index low, Index high, Generator_pair& pair)
 {
   std::vector<Index> faces;
-  for (Index x : m_curves.crossings(2 * i)) { faces.push_back(m_curves.face_after(x)); }
+  for (Index x : m_curves.crossings(2 * i)) { faces.push_back(face_after(m_curves, x)); }
   for (const auto& step : arc.steps) { faces.push_back(m_root.face(step.halfedge)); }
   const Surface_patch patch =
     cut_patch(m_root, faces, faces.front(), reach * arc.length, share * m_root.number_of_faces() / m_saddles.size());

@@ -2,17 +2,17 @@
 #include <meridian/handles/internal/flow_loops.h>
 
 #include <meridian/base/Polygon_soup.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/morse_complex.h>
 #include <meridian/surface/examine_surface.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/root_edges.h>
+#include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <queue>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -23,7 +23,7 @@ namespace internal {
 
 namespace {
 
-// The faces within a distance of some others, sorted (Dijkstra 1959). Empty if there are more than `most`.
+// The faces within a distance of some others, sorted . Empty if there are more than `most`.
 std::vector<Index> find_faces_within(const Triangle_surface& s, const std::vector<Index>& faces, double reach,
                                      std::size_t most)
 {
@@ -32,21 +32,17 @@ std::vector<Index> find_faces_within(const Triangle_surface& s, const std::vecto
     return (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
   };
   std::unordered_map<Index, double> at;
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  Nearest_first<Index> queue;
   for (Index f : faces)
   {
     at[f] = 0;
-    queue.emplace(0., f);
+    queue.reach(0, f);
   }
   std::vector<Index> chosen;
-  while (!queue.empty())
-  {
-    const auto [d, f] = queue.top();
-    queue.pop();
-    if (d > at[f]) { continue; }
+  const bool are_too_many = queue.search([&](double d, Index f) {
+    if (d > at[f]) { return false; }
     chosen.push_back(f);
-    if (chosen.size() > most) { return {}; }
+    if (chosen.size() > most) { return true; }
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
       if (s.opposite[h] < 0) { continue; }
@@ -59,9 +55,11 @@ std::vector<Index> find_faces_within(const Triangle_surface& s, const std::vecto
         continue;
       }
       old->second = reached;
-      queue.emplace(reached, g);
+      queue.reach(reached, g);
     }
-  }
+    return false;
+  });
+  if (are_too_many) { return {}; }
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
@@ -254,8 +252,8 @@ bool try_loop(Normal_curves& curves, Index curve, std::vector<Normal_curves::Ste
   for (auto& step : steps)
     for (Index x : curves.on(curves.surface().edge(step.halfedge))) { step.place += curves[x].t < step.t; }
   curves.add(curve, steps);
-  const bool is_good = curves.crosses_partner_once(curve);
-  if (is_good && curves.runs_from_right(curve)) { return true; }
+  const bool is_good = crosses_partner_once(curves, curve);
+  if (is_good && runs_from_right(curves, curve)) { return true; }
   curves.remove(curve);
   if (!is_good) { return false; }
   curves.add(curve, reversed(curves.surface(), steps));

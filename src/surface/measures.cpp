@@ -69,7 +69,7 @@ std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& 
 
 std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source)
 {
-  return internal::find_shortest_ways(g.number_of_nodes, {source}, [&](Index a, const auto& reach) {
+  return internal::find_shortest_ways(g.number_of_nodes, {{0., source}}, [&](Index a, const auto& reach) {
     for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i) { reach(g.neighbor[i], lengths[i]); }
   });
 }

@@ -6,6 +6,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/add_contours.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/project_contours.h>
 #include <meridian/curves/tighten_curves.h>
@@ -519,7 +520,7 @@ BOOST_DATA_TEST_CASE(tightened_meridians_keep_their_class, data::xrange(1, 7), g
     const double length = tighten_curves(curves);
     BOOST_TEST(length > 0);
     BOOST_TEST((classes() == before));
-    for (Index crossings : curves.count_crossings()) { BOOST_TEST(crossings == 0); }
+    for (Index crossings : count_crossings(curves)) { BOOST_TEST(crossings == 0); }
   }
 }
 

@@ -5,6 +5,7 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/edge_cuts.h>
@@ -242,9 +243,9 @@ BOOST_DATA_TEST_CASE(shortening_stands_bad_shapes, data::xrange(8) * data::xrang
     for (int i = 0; i < 3; ++i)
     {
       internal::move_vertices(curves, options, [] {});
-      curves.count_crossings();
+      count_crossings(curves);
       exchange.run(options, [] {});
-      curves.count_crossings();
+      count_crossings(curves);
     }
     const auto shorter = shorten_cut_graph(s, paths_of(s, edges));
     check_disc(s, shorter);
@@ -269,7 +270,7 @@ BOOST_AUTO_TEST_CASE(crossing_open_curves_are_counted)
   Normal_curves curves(s, 0);
   const Index f = 30, h = 3 * f, o = s.opposite[h]; // across the side `h` of a face, from corner to corner
   const Index a = curves.add(s.apex(h), s.apex(o), {{h, 0, 0.5}});
-  curves.count_crossings();
+  count_crossings(curves);
   BOOST_TEST(curves.vertex({a, true}) == s.apex(o));
   // Another curve that cuts off a corner at one end of the side: it must pass on that side of the first.
   const Index in = s.opposite[s.next(h)];
@@ -281,12 +282,12 @@ BOOST_AUTO_TEST_CASE(crossing_open_curves_are_counted)
   {
     Normal_curves::Trial trial(curves);
     add(target_is_end ? 1 : 0);
-    curves.count_crossings();
+    count_crossings(curves);
   }
   {
     Normal_curves::Trial trial(curves);
     add(target_is_end ? 0 : 1);
-    BOOST_CHECK_THROW(curves.count_crossings(), Internal_error);
+    BOOST_CHECK_THROW(count_crossings(curves), Internal_error);
   }
 }
 

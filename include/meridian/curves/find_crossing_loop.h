@@ -5,6 +5,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Gap_records.h>
 #include <meridian/curves/Normal_curves.h>
+#include <meridian/curves/chords.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <cstdint>
@@ -58,7 +59,7 @@ private:
     bool is_done = false;
   };
 
-  Point point(const Gap& g) const { return m_surface.point_on(g.edge, m_curves.middle(g)); }
+  Point point(const Gap& g) const { return m_surface.point_on(g.edge, middle_of(m_curves, g)); }
 
   // Dijkstra's algorithm on gaps; two are neighbours if they lie on one region of a face.
   Gap search(const std::map<Gap, Index>& source, const std::map<Gap, Index>& target);

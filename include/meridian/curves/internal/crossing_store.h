@@ -108,7 +108,6 @@ public:
     bool m_is_kept = false;
   };
 
-protected:
   struct Curve
   {
     Id first = -1, last = -1; // `last` of an open curve only
@@ -134,8 +133,6 @@ protected:
   // Takes the ends off a curve and lets its crossings go.
   void clear(Index curve);
 
-  const Triangle_surface& m_surface;
-
 private:
   template <class Undo> void note(Undo undo)
   {
@@ -149,6 +146,7 @@ private:
   void edit_ends(Index v, const End& e, bool is_new);
   void put_along(Index e, Index curve);
 
+  const Triangle_surface& m_surface;
   std::vector<Crossing> m_crossings;
   std::vector<Curve> m_curves;
   std::vector<Index> m_slot; // of each edge: its list, or -1

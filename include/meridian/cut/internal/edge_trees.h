@@ -4,10 +4,8 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/shortest_ways.h>
 
-#include <functional>
-#include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -33,36 +31,19 @@ struct Edge_tree
   std::vector<Index> by, from;
 };
 
-// From starts with a distance each; `cost(h)` of an edge is not negative, and may be infinite (Dijkstra 1959).
+// From starts with a distance each; `cost(h)` of an edge is not negative, and may be infinite.
 template <class Cost>
 Edge_tree grow_edge_tree(const Triangle_surface& s, const std::vector<std::pair<double, Index>>& starts,
                          const Cost& cost)
 {
-  const Index n = s.number_of_vertices();
-  Edge_tree tree{std::vector<double>(n, std::numeric_limits<double>::infinity()), std::vector<Index>(n, -1),
-                 std::vector<Index>(n, -1)};
-  using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for (const auto& [d, v] : starts)
-    if (d < tree.distance[v])
-    {
-      tree.distance[v] = d;
-      queue.emplace(d, v);
-    }
-  while (!queue.empty())
-  {
-    const auto [d, v] = queue.top();
-    queue.pop();
-    if (d > tree.distance[v]) { continue; }
-    for_each_edge_at(s, v, [&, at = d, u = v](Index h, Index w) {
-      const double reached = at + cost(h);
-      if (!(reached < tree.distance[w])) { return; }
-      tree.distance[w] = reached;
+  Edge_tree tree{{}, std::vector<Index>(s.number_of_vertices(), -1), std::vector<Index>(s.number_of_vertices(), -1)};
+  tree.distance = find_shortest_ways(s.number_of_vertices(), starts, [&](Index v, const auto& reach) {
+    for_each_edge_at(s, v, [&](Index h, Index w) {
+      if (!reach(w, cost(h))) { return; }
       tree.by[w] = h;
-      tree.from[w] = u;
-      queue.emplace(reached, w);
+      tree.from[w] = v;
     });
-  }
+  });
   return tree;
 }
 
@@ -90,10 +71,6 @@ std::vector<char> edges_beside_face_tree(const Triangle_surface& s, const std::v
 // Takes off edges that dangle: those of a vertex inside the surface that ends no other. This opens the disc no less:
 // the two copies of such an edge are neighbours on its rim, and glueing them leaves a disc.
 void prune(const Triangle_surface& s, std::vector<char>& is_cut);
-
-// For each face the halfedge by which the face before was left, on the shortest way from a seed; -1 there. The distance
-// of a face is measured to the middle of the edge by which it was entered.
-std::vector<Index> face_tree(const Triangle_surface& s, Index seed);
 
 } // namespace internal
 } // namespace meridian

@@ -5,10 +5,12 @@
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Gap_records.h>
 #include <meridian/curves/Normal_curves.h>
+#include <meridian/curves/chords.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/internal/disc_walk.h>
 #include <meridian/cut/internal/network_moves.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/shortest_ways.h>
 
 #include <array>
 #include <cstddef>
@@ -17,9 +19,7 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <queue>
 #include <set>
-#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -68,7 +68,7 @@ private:
     std::array<Disc_side, 2> sides;
   };
 
-  Point point(const Gap& g) const { return m_surface.point_on(g.edge, m_curves.middle(g)); }
+  Point point(const Gap& g) const { return m_surface.point_on(g.edge, middle_of(m_curves, g)); }
 
   // The vertex that a curve can be moved to from crossing `x`, or -1.
   Index free_vertex_beside(Index x) const;
@@ -148,8 +148,7 @@ private:
   std::set<Index> m_changed_edges, m_changed_vertices; // since the cells were grown
   Gap_records<Reached> m_reached;
   std::map<std::pair<std::size_t, std::size_t>, Candidate> m_candidates;
-  using Entry = std::tuple<double, Index, Index>; // distance and gap
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> m_queue;
+  Nearest_first<Gap> m_queue;
 };
 
 } // namespace internal

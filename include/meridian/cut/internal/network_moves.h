@@ -15,7 +15,7 @@ namespace internal {
 
 // Moves of the vertices in which the open curves of a network meet. All of them keep the network's class.
 
-using Network_end = Crossing_store::End;
+using Network_end = Normal_curves::End;
 
 // The star of a vertex where curves end. Spoke `i` is the i-th halfedge that leaves it, counterclockwise; corner `i`
 // lies between spokes `i` and `i + 1`. A curve's end stands on a spoke (at `2 i`) or in a corner (at `2 i + 1`).

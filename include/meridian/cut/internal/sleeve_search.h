@@ -6,13 +6,12 @@
 #include <meridian/curves/sleeve.h>
 #include <meridian/cut/internal/slit_surface.h>
 #include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/shortest_ways.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <map>
-#include <queue>
-#include <set>
 #include <tuple>
 #include <vector>
 
@@ -49,16 +48,10 @@ public:
   bool along_cells(const Contact& c, Sleeve& sleeve) const;
 
   // The shortest strip from boundary `from` through its cell and that of `to`, to any boundary not yet joined to it.
-  bool near(Index from, Index to, Sleeve& sleeve) const
-  {
-    return search(from, sleeve, [&](Index f) { return m_cell[f] == from || m_cell[f] == to; });
-  }
+  bool near(Index from, Index to, Sleeve& sleeve) const;
 
   // The same through the whole surface. It fails only if everything is joined.
-  bool anywhere(Index from, Sleeve& sleeve) const
-  {
-    return search(from, sleeve, [](Index) { return true; });
-  }
+  bool anywhere(Index from, Sleeve& sleeve) const;
 
   // The shortest strip from boundary `from` to boundary `to` through parts of the given faces of the root.
   bool along_faces(Index from, Index to, const std::vector<Index>& faces, Sleeve& sleeve) const;
@@ -78,18 +71,11 @@ private:
   // Cells grow face by face. `face` is reached, or, if it is -1, two cells meet at `halfedge`.
   struct Growth_event
   {
-    double key;
     Index face, halfedge;
     bool along;
+    bool operator<(const Growth_event& e) const { return std::tie(face, halfedge) < std::tie(e.face, e.halfedge); }
   };
-  struct Is_later
-  {
-    bool operator()(const Growth_event& x, const Growth_event& y) const
-    {
-      return std::tie(x.key, x.face, x.halfedge) > std::tie(y.key, y.face, y.halfedge);
-    }
-  };
-  using Growth = std::priority_queue<Growth_event, std::vector<Growth_event>, Is_later>;
+  using Growth = Nearest_first<Growth_event>;
 
   // Grows the cells. Returns all contacts on the way, nearest first.
   std::vector<Contact> collect_contacts(Extent extent);
@@ -108,61 +94,13 @@ private:
   // A strip that was trimmed to nothing must leave an edge that can be cut.
   bool is_usable(const Sleeve& sleeve) const;
 
-  template <class Is_allowed> bool search(Index from, Sleeve& sleeve, const Is_allowed& is_allowed, Index to = -1) const
-  {
-    const Refined_surface& s = m_slit.surface();
-    std::map<Index, Reached> reached;
-    struct Event
-    {
-      double key;
-      Index face, corner;
-    };
-    const auto later = [](const Event& x, const Event& y) {
-      return std::tie(x.key, x.face, x.corner) > std::tie(y.key, y.face, y.corner);
-    };
-    std::priority_queue<Event, std::vector<Event>, decltype(later)> queue(later);
-    const auto reach = [&](Index f, const Reached& r) {
-      Reached& old = reached[f];
-      if (!(r.distance < old.distance)) { return; }
-      old = r;
-      queue.push({r.distance, f, -1});
-    };
-    for_each_corner(from, [&](Index h) {
-      if (is_allowed(s.face(h))) { reach(s.face(h), {0, s.points[s.source(h)], h, true}); }
-    });
-    std::set<Index> done;
-    while (!queue.empty())
-    {
-      const Event e = queue.top();
-      queue.pop();
-      if (e.corner >= 0)
-      {
-        sleeve = Sleeve{};
-        sleeve.end = s.source(e.corner);
-        Index f = s.face(e.corner);
-        for (; !reached[f].is_seed; f = s.face(reached[f].by)) { sleeve.halfedges.push_back(reached[f].by); }
-        sleeve.start = s.source(reached[f].by);
-        std::reverse(sleeve.halfedges.begin(), sleeve.halfedges.end());
-        trim(s, sleeve);
-        if (is_usable(sleeve)) { return true; }
-        continue;
-      }
-      if (!done.insert(e.face).second) { continue; }
-      const Reached r = reached[e.face];
-      for (Index h = 3 * e.face; h < 3 * e.face + 3; ++h)
-      {
-        if (m_slit.loop(h) >= 0
-            && (to >= 0 ? m_slit.are_joined(m_slit.loop(h), to) : !m_slit.are_joined(m_slit.loop(h), from)))
-          queue.push({r.distance + distance(r.entry, s.points[s.source(h)]), e.face, h});
-        if (!m_slit.may_cross(h)) { continue; }
-        const Index g = s.face(s.opposite[h]);
-        if (!is_allowed(g) || done.count(g)) { continue; }
-        const Point middle = s.point_on(h, 0.5);
-        reach(g, {r.distance + distance(r.entry, middle), middle, h, false});
-      }
-    }
-    return false;
-  }
+  // The shortest strip through allowed faces from boundary `from` to any that is not joined to it, or to those that are
+  // joined to `to`.
+  bool search(Index from, Sleeve& sleeve, const std::function<bool(Index)>& is_allowed, Index to = -1) const;
+
+  using Reached_faces = std::map<Index, Reached>;
+  // The strip back from a corner. False if it cannot be used.
+  bool take_strip(Reached_faces& reached, Index corner, Sleeve& sleeve) const;
 
   Slit_surface& m_slit;
   std::vector<Index> m_cell;      // the boundary whose cell holds each face, -1 where the search did not come

@@ -4,10 +4,10 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
 #include <functional>
-#include <queue>
 #include <utility>
 #include <vector>
 
@@ -75,8 +75,7 @@ private:
   // a used vertex that `is_end` accepts, if it is shorter than `limit`.
   template <class Is_end> Path search(const std::vector<Index>& starts, double limit, const Is_end& is_end)
   {
-    using Entry = std::pair<double, Index>; // of the halfedge that is taken last
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+    Nearest_first<Index> queue; // of the halfedges that are taken last
     ++m_search;
     const auto take = [&](double d, Index h) {
       const Index v = m_surface.target(h);
@@ -93,25 +92,26 @@ private:
         m_distance[v] = reached;
         m_by[v] = h;
       }
-      queue.emplace(reached, h);
+      queue.reach(reached, h);
     };
     for (Index h : starts) { take(0, h); }
-    while (!queue.empty())
-    {
-      const auto [d, h] = queue.top();
-      queue.pop();
+    Path path;
+    queue.search([&](double at, Index h) {
       const Index v = m_surface.target(h);
       if (is_used(v))
       {
-        Path path{h};
+        path.push_back(h);
         for (Index u = m_surface.source(h); !is_used(u); u = m_surface.source(m_by[u])) { path.push_back(m_by[u]); }
         std::reverse(path.begin(), path.end());
-        return path;
+        return true;
       }
-      if (m_by[v] != h || !m_is_open(v)) { continue; }
-      m_surface.for_each_outgoing(v, [&, at = d](Index g) { take(at, g); });
-    }
-    return {};
+      if (m_by[v] == h && m_is_open(v))
+      {
+        m_surface.for_each_outgoing(v, [&](Index g) { take(at, g); });
+      }
+      return false;
+    });
+    return path;
   }
 
   double length(const Path& path) const;
