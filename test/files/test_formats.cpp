@@ -156,56 +156,71 @@ BOOST_FIXTURE_TEST_CASE(ply_is_read_as_text_and_in_both_byte_orders_with_triangl
   }
 }
 
+namespace {
+
+template <class Values> std::string raw(const Values& values)
+{
+  return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
+}
+
+std::string base64(const std::string& bytes)
+{
+  static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3)
+  {
+    const auto at = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u; };
+    const unsigned block = at(i) << 16 | at(i + 1) << 8 | at(i + 2);
+    text += letters[block >> 18 & 63];
+    text += letters[block >> 12 & 63];
+    text += i + 1 < bytes.size() ? letters[block >> 6 & 63] : '=';
+    text += i + 2 < bytes.size() ? letters[block & 63] : '=';
+  }
+  return text;
+}
+
+// With its size before it.
+std::string sized(const std::string& bytes)
+{
+  std::string s;
+  append(s, static_cast<std::uint32_t>(bytes.size()));
+  return s + bytes;
+}
+
+std::string packed(const std::string& bytes, std::string& head)
+{
+  uLongf size = compressBound(bytes.size());
+  std::string out(size, '\0');
+  compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+  out.resize(size);
+  for (std::uint32_t x : {1u, static_cast<unsigned>(bytes.size()), 0u, static_cast<unsigned>(size)})
+  {
+    append(head, x);
+  }
+  return out;
+}
+
+std::string poly_data(const std::string& root, const std::vector<std::string>& arrays,
+                      const std::vector<std::string>& contents, const std::string& appended)
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" " + root
+         + ">\n<PolyData><Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\"><Points>"
+           "<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+         + arrays[0] + ">" + contents[0]
+         + "</DataArray></Points><Polys>"
+           "<DataArray type=\"Int32\" Name=\"connectivity\" "
+         + arrays[1] + ">" + contents[1]
+         + "</DataArray>"
+           "<DataArray type=\"Int32\" Name=\"offsets\" "
+         + arrays[2] + ">" + contents[2] + "</DataArray></Polys></Piece></PolyData>" + appended + "</VTKFile>\n";
+}
+
+} // namespace
+
 BOOST_FIXTURE_TEST_CASE(vtp_is_read_in_all_its_encodings, Folder)
 {
   std::vector<double> xyz{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0.25};
   std::vector<std::int32_t> corners{0, 1, 2, 0, 2, 3}, ends{3, 6};
-  const auto raw = [](const auto& values) {
-    return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof values[0]);
-  };
-  const auto base64 = [](const std::string& bytes) {
-    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3)
-    {
-      const auto at = [&](std::size_t k) { return k < bytes.size() ? static_cast<unsigned char>(bytes[k]) : 0u; };
-      const unsigned block = at(i) << 16 | at(i + 1) << 8 | at(i + 2);
-      text += letters[block >> 18 & 63];
-      text += letters[block >> 12 & 63];
-      text += i + 1 < bytes.size() ? letters[block >> 6 & 63] : '=';
-      text += i + 2 < bytes.size() ? letters[block & 63] : '=';
-    }
-    return text;
-  };
-  const auto sized = [](const std::string& bytes) {
-    std::string s;
-    append(s, static_cast<std::uint32_t>(bytes.size()));
-    return s + bytes;
-  };
-  const auto packed = [](const std::string& bytes, std::string& head) {
-    uLongf size = compressBound(bytes.size());
-    std::string out(size, '\0');
-    compress(reinterpret_cast<Bytef*>(out.data()), &size, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
-    out.resize(size);
-    for (std::uint32_t x : {1u, static_cast<unsigned>(bytes.size()), 0u, static_cast<unsigned>(size)})
-    {
-      append(head, x);
-    }
-    return out;
-  };
-  const auto file = [](const std::string& root, const std::vector<std::string>& arrays,
-                       const std::vector<std::string>& contents, const std::string& appended) {
-    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" " + root
-           + ">\n<PolyData><Piece NumberOfPoints=\"4\" NumberOfPolys=\"2\"><Points>"
-             "<DataArray type=\"Float64\" NumberOfComponents=\"3\" "
-           + arrays[0] + ">" + contents[0]
-           + "</DataArray></Points><Polys>"
-             "<DataArray type=\"Int32\" Name=\"connectivity\" "
-           + arrays[1] + ">" + contents[1]
-           + "</DataArray>"
-             "<DataArray type=\"Int32\" Name=\"offsets\" "
-           + arrays[2] + ">" + contents[2] + "</DataArray></Polys></Piece></PolyData>" + appended + "</VTKFile>\n";
-  };
   const auto check = [&](const std::string& bytes) {
     const auto s = read("a.vtp", bytes);
     BOOST_REQUIRE(s.points.size() == 4u);
@@ -214,23 +229,23 @@ BOOST_FIXTURE_TEST_CASE(vtp_is_read_in_all_its_encodings, Folder)
     BOOST_TEST(s.number_of_polygons() == 2u);
   };
   const std::vector<std::string> text(3, "format=\"ascii\""), binary(3, "format=\"binary\"");
-  check(file("", text, {"0 0 0 1 0 0 1 1 0\n0 1 .25", "0 1 2 0 2 3", "3 6"}, ""));
-  check(file("byte_order=\"LittleEndian\"", binary,
-             {base64(sized(raw(xyz))), "\n " + base64(sized(raw(corners))) + "\n", base64(sized(raw(ends)))}, ""));
+  check(poly_data("", text, {"0 0 0 1 0 0 1 1 0\n0 1 .25", "0 1 2 0 2 3", "3 6"}, ""));
+  check(poly_data("byte_order=\"LittleEndian\"", binary,
+                  {base64(sized(raw(xyz))), "\n " + base64(sized(raw(corners))) + "\n", base64(sized(raw(ends)))}, ""));
   const auto encode = [&](const std::string& bytes) {
     std::string head;
     const std::string body = packed(bytes, head);
     return base64(head) + base64(body);
   };
-  check(file("compressor=\"vtkZLibDataCompressor\"", binary,
-             {encode(raw(xyz)), encode(raw(corners)), encode(raw(ends))}, ""));
+  check(poly_data("compressor=\"vtkZLibDataCompressor\"", binary,
+                  {encode(raw(xyz)), encode(raw(corners)), encode(raw(ends))}, ""));
   const std::string a = sized(raw(xyz)), b = sized(raw(corners)), c = sized(raw(ends));
   const auto offset = [](std::size_t n) { return "format=\"appended\" offset=\"" + std::to_string(n) + "\""; };
-  check(file("", {offset(0), offset(a.size()), offset(a.size() + b.size())}, {"", "", ""},
-             "<AppendedData encoding=\"raw\">\n _" + a + b + c + "</AppendedData>"));
+  check(poly_data("", {offset(0), offset(a.size()), offset(a.size() + b.size())}, {"", "", ""},
+                  "<AppendedData encoding=\"raw\">\n _" + a + b + c + "</AppendedData>"));
   const std::string a64 = base64(a), b64 = base64(b), c64 = base64(c);
-  check(file("", {offset(0), offset(a64.size()), offset(a64.size() + b64.size())}, {"", "", ""},
-             "<AppendedData encoding=\"base64\">\n _" + a64 + b64 + c64 + "</AppendedData>"));
+  check(poly_data("", {offset(0), offset(a64.size()), offset(a64.size() + b64.size())}, {"", "", ""},
+                  "<AppendedData encoding=\"base64\">\n _" + a64 + b64 + c64 + "</AppendedData>"));
 }
 
 BOOST_FIXTURE_TEST_CASE(broken_files_are_refused_with_the_place, Folder)

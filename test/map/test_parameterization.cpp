@@ -504,19 +504,28 @@ BOOST_AUTO_TEST_CASE(charts_are_packed_side_by_side_at_one_scale)
   BOOST_TEST(covered > 0.5); // rectangles all, so there is no excuse
 }
 
-BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
+namespace {
+
+// Two components, so that charts can overlap.
+Polygon_soup twice(const Polygon_soup& once)
 {
-  const Triangle_surface s = sample::bitorus(16);
-  Polygon_soup soup = sample::soup(s);
-  const std::size_t n = soup.points.size();
-  const Polygon_soup once = soup; // a second component, so that charts can overlap
+  Polygon_soup soup = once;
   for (const auto& p : once.points) { soup.points.push_back({p[0] + 10, p[1], p[2]}); }
   for (std::size_t f = 0; f < once.number_of_polygons(); ++f)
   {
     std::array<Index, 3> t;
-    for (std::size_t k = 0; k < 3; ++k) { t[k] = once.corner(f, k) + static_cast<Index>(n); }
+    for (std::size_t k = 0; k < 3; ++k) { t[k] = once.corner(f, k) + static_cast<Index>(once.points.size()); }
     soup.add_polygon(t.data(), 3);
   }
+  return soup;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
+{
+  const Triangle_surface s = sample::bitorus(16);
+  const Polygon_soup soup = twice(sample::soup(s));
   const pipeline::Run run = pipeline::run(soup);
   std::vector<Triangle_surface> discs;
   std::vector<Chart> charts;

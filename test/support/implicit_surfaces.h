@@ -22,57 +22,79 @@ inline double ring(const Point& p, double big, double small) // a torus about th
   return std::hypot(std::hypot(p[0], p[1]) - big, p[2]) - small;
 }
 
-// The surface on a grid of cells x cells x cells over the cube of half-width `half`, by tetrahedra (Bloomenthal 1994).
-// `warp` moves the points of the grid, for irregular sampling.
+// Where a function with values at points vanishes, tetrahedron by tetrahedron (Bloomenthal 1994).
+class Tetrahedra_contour
+{
+public:
+  void add_point(const Point& p, double value)
+  {
+    m_at.push_back(p);
+    m_value.push_back(value);
+  }
+
+  // `t` are four of the points, positively oriented.
+  void add_tetrahedron(const std::array<int, 4>& t)
+  {
+    std::vector<int> in, out;
+    for (int v : t) { (m_value[v] < 0 ? in : out).push_back(v); }
+    const auto add = [&](Index a, Index b, Index c) {
+      const auto& points = m_surface.points;
+      const Point n =
+        meridian::cross(meridian::operator-(points[b], points[a]), meridian::operator-(points[c], points[a]));
+      if (meridian::dot(n, meridian::operator-(m_at[out[0]], m_at[in[0]])) < 0) { std::swap(b, c); }
+      m_surface.triangles.push_back({a, b, c});
+    };
+    if (in.size() == 1) { add(cross(in[0], out[0]), cross(in[0], out[1]), cross(in[0], out[2])); }
+    if (in.size() == 3) { add(cross(in[0], out[0]), cross(in[1], out[0]), cross(in[2], out[0])); }
+    if (in.size() == 2)
+    {
+      const Index a = cross(in[0], out[0]), b = cross(in[0], out[1]), c = cross(in[1], out[1]),
+                  d = cross(in[1], out[0]);
+      add(a, b, c);
+      add(a, c, d);
+    }
+  }
+
+  Triangle_surface surface() { return connected(std::move(m_surface)); }
+
+private:
+  // The vertex on an edge of the tetrahedra.
+  Index cross(int a, int b)
+  {
+    const int u = std::min(a, b), v = std::max(a, b);
+    const auto [found, is_new] = m_vertex.try_emplace({u, v}, m_surface.number_of_vertices());
+    if (is_new)
+    {
+      const double t = std::min(std::max(m_value[u] / (m_value[u] - m_value[v]), 0.1), 0.9);
+      Point p;
+      for (int k = 0; k < 3; ++k) { p[k] = m_at[u][k] + t * (m_at[v][k] - m_at[u][k]); }
+      m_surface.points.push_back(p);
+    }
+    return found->second;
+  }
+
+  std::vector<Point> m_at;
+  std::vector<double> m_value;
+  std::map<std::pair<int, int>, Index> m_vertex; // on the edges that the surface crosses
+  Triangle_surface m_surface;
+};
+
+// The surface on a grid of cells x cells x cells over the cube of half-width `half`. `warp` moves the points of the
+// grid, for irregular sampling.
 inline Triangle_surface isosurface(const Distance& f, double half, int cells,
                                    const std::function<Point(Point)>& warp = {})
 {
-  Triangle_surface s;
+  Tetrahedra_contour contour;
   const int n = cells + 1;
   const auto id = [&](int i, int j, int k) { return (i * n + j) * n + k; };
-  std::vector<Point> at(static_cast<std::size_t>(n) * n * n);
-  std::vector<double> value(at.size());
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j)
       for (int k = 0; k < n; ++k)
       {
         Point p{half * (2. * i / cells - 1), half * (2. * j / cells - 1), half * (2. * k / cells - 1)};
         if (warp) { p = warp(p); }
-        at[id(i, j, k)] = p;
-        value[id(i, j, k)] = f(p);
+        contour.add_point(p, f(p));
       }
-  std::map<std::pair<int, int>, Index> vertex;
-  const auto cross = [&](int a, int b) {
-    const auto [found, is_new] = vertex.try_emplace({std::min(a, b), std::max(a, b)}, s.number_of_vertices());
-    if (is_new)
-    {
-      const int u = std::min(a, b), v = std::max(a, b);
-      const double t = std::min(std::max(value[u] / (value[u] - value[v]), 0.1), 0.9);
-      Point p;
-      for (int k = 0; k < 3; ++k) { p[k] = at[u][k] + t * (at[v][k] - at[u][k]); }
-      s.points.push_back(p);
-    }
-    return found->second;
-  };
-  const auto tetrahedron = [&](const std::array<int, 4>& t) { // positively oriented
-    std::vector<int> in, out;
-    for (int v : t) { (value[v] < 0 ? in : out).push_back(v); }
-    const auto add = [&](Index a, Index b, Index c, int inner, int outer) {
-      const Point n3 =
-        meridian::cross(meridian::operator-(s.points[b], s.points[a]), meridian::operator-(s.points[c], s.points[a]));
-      if (meridian::dot(n3, meridian::operator-(at[outer], at[inner])) < 0) { std::swap(b, c); }
-      s.triangles.push_back({a, b, c});
-    };
-    if (in.size() == 1) { add(cross(in[0], out[0]), cross(in[0], out[1]), cross(in[0], out[2]), in[0], out[0]); }
-    if (in.size() == 3) { add(cross(in[0], out[0]), cross(in[1], out[0]), cross(in[2], out[0]), in[0], out[0]); }
-    if (in.size() == 2)
-    {
-      const Index a = cross(in[0], out[0]), b = cross(in[0], out[1]), c = cross(in[1], out[1]),
-                  d = cross(in[1], out[0]);
-      add(a, b, c, in[0], out[0]);
-      add(a, c, d, in[0], out[0]);
-    }
-  };
   for (int i = 0; i < cells; ++i)
     for (int j = 0; j < cells; ++j)
       for (int k = 0; k < cells; ++k)
@@ -86,9 +108,9 @@ inline Triangle_surface isosurface(const Distance& f, double half, int cells,
             ++c[order[step]];
             t[step + 1] = id(c[0], c[1], c[2]);
           }
-          tetrahedron(t);
+          contour.add_tetrahedron(t);
         }
-  return connected(std::move(s));
+  return contour.surface();
 }
 
 inline double bitorus_distance(const Point& p)

@@ -236,6 +236,22 @@ inline Triangle_surface noisy(Triangle_surface s, double amount, unsigned seed)
   return s;
 }
 
+// For each angle about the x axis the one of some vertices that is nearest to it.
+inline std::vector<Index> match_by_angle(const std::vector<double>& angle, const std::vector<Index>& vertices,
+                                         const std::vector<Point>& points)
+{
+  const auto distance_to = [&](double a, Index v) {
+    return std::abs(std::remainder(std::atan2(points[v][2], points[v][1]) - a, 2 * pi));
+  };
+  std::vector<Index> matched;
+  for (double a : angle)
+  {
+    matched.push_back(*std::min_element(vertices.begin(), vertices.end(),
+                                        [&](Index v, Index w) { return distance_to(a, v) < distance_to(a, w); }));
+  }
+  return matched;
+}
+
 // Two tori joined by a tube of radius 1 and the given length. Vertices of the first torus come first; both are alike,
 // n x 24 quadrilaterals each.
 inline Triangle_surface dumbbell(double tube_length, int n = 48)
@@ -281,23 +297,9 @@ inline Triangle_surface dumbbell(double tube_length, int n = 48)
     last = next;
   }
   // The loop of the other torus runs the other way about the axis: match by angle.
-  std::vector<Index> end(ring, -1);
-  for (int i = 0; i < ring; ++i)
-  {
-    double best = 1e9;
-    for (Index h : loop)
-    {
-      const Index v = open.source(h) + other;
-      const double a = std::atan2(s.points[v][2], s.points[v][1]);
-      const double d = std::abs(std::remainder(a - angle[i], 2 * pi));
-      if (d < best)
-      {
-        best = d;
-        end[i] = v;
-      }
-    }
-  }
-  band(last, end);
+  std::vector<Index> others;
+  for (Index h : loop) { others.push_back(open.source(h) + other); }
+  band(last, match_by_angle(angle, others, s.points));
   return connected(std::move(s));
 }
 

@@ -568,29 +568,42 @@ BOOST_DATA_TEST_CASE(faces_without_area_do_not_break_the_equations, data::xrange
   if (all_weights[w] == Map_weights::POSITIVE) { BOOST_TEST(different_alone > 0u); } // where there are new vertices
 }
 
+namespace {
+
+// Two tori. The first has two fans at one point, and one vertex that no face uses; the second is of quadrilaterals, every
+// third turned over.
+Polygon_soup two_tori_pinched_at(Index pinched)
+{
+  Polygon_soup input = sample::soup(sample::noisy(sample::torus(24, 12), 0.05, 1));
+  const Index n = static_cast<Index>(input.points.size()), lost = n / 2 + 40;
+  for (Index& v : input.corners)
+  {
+    if (v == lost) { v = pinched; }
+  }
+  const auto other = sample::noisy(sample::torus(30, 12), 0.05, 2);
+  for (const Point& p : other.points) { input.points.push_back({p[0] + 9, p[1], p[2]}); }
+  for (int i = 0; i < 30; ++i)
+    for (int j = 0; j < 12; ++j)
+    {
+      std::array<Index, 4> q{i * 12 + j, (i + 1) % 30 * 12 + j, (i + 1) % 30 * 12 + (j + 1) % 12,
+                             i * 12 + (j + 1) % 12};
+      for (Index& v : q) { v += n; }
+      if (i % 3 == 0) { std::reverse(q.begin(), q.end()); }
+      input.add_polygon(q.data(), 4);
+    }
+  return input;
+}
+
+} // namespace
+
 // The same from a result's arrays: several components, polygons, faces turned over, and a pinched vertex on the seam.
 BOOST_AUTO_TEST_CASE(discs_of_a_result_are_those_of_its_cuts)
 {
   int separate = 0; // cuts through one fan that leave the other alone
   for (Index pinched : {30, 75, 100, 140})
   {
-    Polygon_soup input = sample::soup(sample::noisy(sample::torus(24, 12), 0.05, 1));
-    const Index n = static_cast<Index>(input.points.size()), lost = n / 2 + 40;
-    for (Index& v : input.corners)
-    {
-      if (v == lost) { v = pinched; }
-    } // two fans at one point
-    const auto other = sample::noisy(sample::torus(30, 12), 0.05, 2);
-    for (const Point& p : other.points) { input.points.push_back({p[0] + 9, p[1], p[2]}); }
-    for (int i = 0; i < 30; ++i)
-      for (int j = 0; j < 12; ++j) // quadrilaterals, every third turned over
-      {
-        std::array<Index, 4> q{i * 12 + j, (i + 1) % 30 * 12 + j, (i + 1) % 30 * 12 + (j + 1) % 12,
-                               i * 12 + (j + 1) % 12};
-        for (Index& v : q) { v += n; }
-        if (i % 3 == 0) { std::reverse(q.begin(), q.end()); }
-        input.add_polygon(q.data(), 4);
-      }
+    const Polygon_soup input = two_tori_pinched_at(pinched);
+    const Index n = 24 * 12; // vertices of the first
     std::array<pipeline::Run, 3> runs;
     for (int i = 0; i < 3; ++i)
     {
