@@ -24,13 +24,6 @@ using namespace meridian;
 
 namespace {
 
-double total(const Generators& g)
-{
-  double sum = 0;
-  for (const auto& pair : g.pairs) { sum += pair.meridian.length + pair.longitude.length; }
-  return sum;
-}
-
 // The mean distance of a curve from the nearest of some others.
 double away(const Refined_surface& s, const std::vector<Index>& curve, const Refined_surface& other,
             const std::vector<const std::vector<Index>*>& curves)
@@ -84,8 +77,9 @@ int measure_stability()
     }
     const bool good = verify_generators(t, g) && g.genus == first.genus;
     bad += !good;
-    std::printf("| %s | %d | %.4f | %+.1f %% | %.2f %% | %.2f %% | %.3f | %s |\n", name, t.number_of_faces(), total(g),
-                100 * (total(g) / total(first) - 1), 100 * m / size, 100 * l / size, shortest, good ? "yes" : "NO");
+    std::printf("| %s | %d | %.4f | %+.1f %% | %.2f %% | %.2f %% | %.3f | %s |\n", name, t.number_of_faces(),
+                total_length(g), 100 * (total_length(g) / total_length(first) - 1), 100 * m / size, 100 * l / size,
+                shortest, good ? "yes" : "NO");
   };
   row("as it is", s);
   row("subdivided", sample::subdivided(s));
@@ -204,8 +198,8 @@ int measure_lengths(int count, char** meshes)
       const Generators g = find_generators(c.surface);
       const Homology_basis b = find_shortest_basis(c.surface);
       bad += !verify_generators(c.surface, g) + !verify_generators(c.surface, b);
-      pairs += c.unit * total(g);
-      loose += c.unit * total(find_generators(c.surface, options));
+      pairs += c.unit * total_length(g);
+      loose += c.unit * total_length(find_generators(c.surface, options));
       for (const auto& loop : b.loops) { basis += c.unit * loop.length; }
       trees += c.unit * tree_cotree_pairs(c.surface);
     }

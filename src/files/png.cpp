@@ -59,25 +59,29 @@ void take_bytes(png_structp png, png_bytep bytes, std::size_t n)
   state.left -= n;
 }
 
-struct Writer
+// What libpng keeps for a file that is written or read.
+struct Png_file
 {
   State state;
-  png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning);
-  png_infop info = png ? png_create_info_struct(png) : nullptr;
-  Writer() = default;
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
+  png_structp png;
+  png_infop info;
+  explicit Png_file(decltype(png_create_read_struct)& create)
+    : png(create(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning)),
+      info(png ? png_create_info_struct(png) : nullptr)
+  {}
+  Png_file(const Png_file&) = delete;
+  Png_file& operator=(const Png_file&) = delete;
+};
+
+struct Writer : Png_file
+{
+  Writer() : Png_file(png_create_write_struct) {}
   ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
-struct Reader
+struct Reader : Png_file
 {
-  State state;
-  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &state, on_error, on_warning);
-  png_infop info = png ? png_create_info_struct(png) : nullptr;
-  Reader() = default;
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
+  Reader() : Png_file(png_create_read_struct) {}
   ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
 };
 

@@ -26,4 +26,11 @@ const char* name_of(Loop_class c)
   return "";
 }
 
+double total_length(const Generators& generators)
+{
+  double sum = 0;
+  for (const Generator_pair& pair : generators.pairs) { sum += pair.meridian.length + pair.longitude.length; }
+  return sum;
+}
+
 } // namespace meridian

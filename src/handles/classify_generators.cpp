@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/handles/classify_generators.h>
 
-#include <future>
-
 #include <meridian/base/Stage_runner.h>
 #include <meridian/base/vectors.h>
 #include <meridian/handles/internal/linking.h>
@@ -11,6 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <future>
 #include <vector>
 
 namespace meridian {

@@ -14,8 +14,7 @@ namespace meridian {
 
 namespace internal {
 
-Node_tree::Node_tree(const Triangle_surface& s, const Closed_model& g)
-  : m_surface(s), m_graph(g), m_is_down(s.number_of_halfedges(), 0)
+Node_tree::Node_tree(const Triangle_surface& s, const Closed_model& g) : m_surface(s), m_graph(g)
 {
   Union_find nodes(g.number_of_nodes), faces(s.number_of_faces());
   std::vector<std::vector<Index>> tree(g.number_of_nodes); // of a node: halfedges to its neighbours
@@ -37,31 +36,7 @@ Node_tree::Node_tree(const Triangle_surface& s, const Closed_model& g)
   {
     if (!faces.unite(s.face(h), s.face(s.opposite[h]))) { m_edges.push_back(h); }
   }
-  tour(tree);
-}
-
-void Node_tree::tour(const std::vector<std::vector<Index>>& tree)
-{
-  m_enter.assign(tree.size(), -1);
-  m_leave.assign(tree.size(), -1);
-  std::vector<std::pair<Index, std::size_t>> stack{{0, 0}};
-  Index time = 0;
-  m_enter[0] = time++;
-  while (!stack.empty())
-  {
-    auto& [a, next] = stack.back();
-    if (next == tree[a].size())
-    {
-      m_leave[a] = time;
-      stack.pop_back();
-      continue;
-    }
-    const Index h = tree[a][next++], b = m_graph.node[m_surface.target(h)];
-    if (m_enter[b] >= 0) { continue; }
-    m_is_down[h] = 1;
-    m_enter[b] = time++;
-    stack.emplace_back(b, 0);
-  }
+  m_tour = walk_tree(tree, 0, s.number_of_halfedges(), [&](Index h) { return g.node[s.target(h)]; });
 }
 
 boost::dynamic_bitset<> Node_tree::parity_of(const std::vector<Passing>& strip) const
@@ -73,17 +48,17 @@ boost::dynamic_bitset<> Node_tree::parity_of(const std::vector<Passing>& strip) 
   {
     own.push_back(m_surface.edge(c.halfedge));
     for (Index h : {c.halfedge, m_surface.opposite[c.halfedge]})
-      if (m_is_down[h])
+      if (m_tour.is_down[h])
       {
         const Index below = m_graph.node[m_surface.target(h)];
-        changes.push_back(m_enter[below]);
-        changes.push_back(m_leave[below]);
+        changes.push_back(m_tour.enter[below]);
+        changes.push_back(m_tour.leave[below]);
       }
   }
   std::sort(changes.begin(), changes.end());
   std::sort(own.begin(), own.end());
   const auto at = [&](Index v) {
-    return (std::upper_bound(changes.begin(), changes.end(), m_enter[m_graph.node[v]]) - changes.begin()) & 1;
+    return (std::upper_bound(changes.begin(), changes.end(), m_tour.enter[m_graph.node[v]]) - changes.begin()) & 1;
   };
   boost::dynamic_bitset<> parity(m_edges.size());
   for (std::size_t i = 0; i < m_edges.size(); ++i)

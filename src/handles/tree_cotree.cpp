@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/handles/internal/tree_cotree.h>
 
+#include <meridian/base/Union_find.h>
+
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace meridian {
@@ -12,26 +13,14 @@ namespace internal {
 
 Tree_cotree::Tree_cotree(const Triangle_surface& s) : m_surface(s), m_outside(s.number_of_faces())
 {
-  std::vector<Index> vertex(s.number_of_vertices()), face(m_outside + 1);
-  std::iota(vertex.begin(), vertex.end(), Index(0));
-  std::iota(face.begin(), face.end(), Index(0));
-  const auto join = [](std::vector<Index>& set, Index a, Index b) {
-    const auto find = [&](Index i) {
-      while (set[i] != i) { i = set[i] = set[set[i]]; }
-      return i;
-    };
-    a = find(a);
-    b = find(b);
-    set[a] = b;
-    return a != b;
-  };
+  Union_find vertices(s.number_of_vertices()), faces(m_outside + 1);
   // of a face: halfedges of other faces, across edges of its tree
   std::vector<std::vector<Index>> around(m_outside + 1);
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
-    if (s.edge(h) != h || join(vertex, s.source(h), s.target(h))) { continue; }
+    if (s.edge(h) != h || vertices.unite(s.source(h), s.target(h))) { continue; }
     const Index o = s.opposite[h], g = o < 0 ? m_outside : s.face(o);
-    if (!join(face, s.face(h), g))
+    if (!faces.unite(s.face(h), g))
     {
       m_edges.push_back(h);
       continue;
@@ -39,27 +28,8 @@ Tree_cotree::Tree_cotree(const Triangle_surface& s) : m_surface(s), m_outside(s.
     around[g].push_back(h);
     if (o >= 0) { around[s.face(h)].push_back(o); }
   }
-  m_is_down.assign(s.number_of_halfedges(), 0);
-  m_enter.assign(m_outside + 1, -1);
-  m_leave.assign(m_outside + 1, -1);
-  std::vector<std::pair<Index, std::size_t>> stack{{around[m_outside].empty() ? 0 : m_outside, 0}};
-  Index time = 0;
-  m_enter[stack.back().first] = time++;
-  while (!stack.empty())
-  {
-    auto& [f, next] = stack.back();
-    if (next == around[f].size())
-    {
-      m_leave[f] = time;
-      stack.pop_back();
-      continue;
-    }
-    const Index h = around[f][next++], g = s.face(h);
-    if (m_enter[g] >= 0) { continue; }
-    m_is_down[h] = 1;
-    m_enter[g] = time++;
-    stack.emplace_back(g, 0);
-  }
+  m_tour = walk_tree(around, around[m_outside].empty() ? 0 : m_outside, s.number_of_halfedges(),
+                     [&](Index h) { return s.face(h); });
 }
 
 std::vector<int> Tree_cotree::integrate(const std::map<Index, int>& flow) const
@@ -68,16 +38,16 @@ std::vector<int> Tree_cotree::integrate(const std::map<Index, int>& flow) const
   for (const auto& [e, amount] : flow)
     for (Index h : {e, m_surface.opposite[e]})
     {
-      if (h < 0 || !m_is_down[h]) { continue; } // down into the face of `h`
+      if (h < 0 || !m_tour.is_down[h]) { continue; } // down into the face of `h`
       const int into = h == e ? -amount : amount;
-      steps.emplace_back(m_enter[m_surface.face(h)], into);
-      steps.emplace_back(m_leave[m_surface.face(h)], -into);
+      steps.emplace_back(m_tour.enter[m_surface.face(h)], into);
+      steps.emplace_back(m_tour.leave[m_surface.face(h)], -into);
     }
   std::sort(steps.begin(), steps.end());
   int sum = 0;
   for (auto& step : steps) { step.second = sum += step.second; }
   const auto at = [&](Index face) {
-    auto after = std::upper_bound(steps.begin(), steps.end(), m_enter[face],
+    auto after = std::upper_bound(steps.begin(), steps.end(), m_tour.enter[face],
                                   [](Index t, const auto& step) { return t < step.first; });
     return after == steps.begin() ? 0 : std::prev(after)->second;
   };

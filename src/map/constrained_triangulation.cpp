@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/map/constrained_triangulation.h>
 
+#include <meridian/base/Bounding_box.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -28,13 +30,9 @@ using Triangulation =
 
 std::vector<std::array<Index, 3>> triangulate_outside(const std::vector<Index>& loop, std::vector<Plane_point>& at)
 {
-  Plane_point low = at[loop.front()], high = low;
-  for (Index v : loop)
-    for (int i = 0; i < 2; ++i)
-    {
-      low[i] = std::min(low[i], at[v][i]);
-      high[i] = std::max(high[i], at[v][i]);
-    }
+  Bounding_box<Plane_point> bounds(at[loop.front()]);
+  for (Index v : loop) { bounds.add(at[v]); }
+  const auto& [low, high] = bounds;
   const double margin = std::max(high[0] - low[0], high[1] - low[1]);
   std::vector<Index> box;
   for (int i = 0; i < 4; ++i)

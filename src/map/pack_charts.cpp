@@ -3,6 +3,8 @@
 
 #include <meridian/map/planar_map.h>
 
+#include <meridian/base/Bounding_box.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -22,15 +24,10 @@ public:
   {
     m_placed.push_back(scale_to_area(chart, is_turned));
     std::vector<Plane_point>& at = m_placed.back();
-    Plane_point low = at.front(), high = low;
-    for (const Plane_point& p : at)
-      for (int k = 0; k < 2; ++k)
-      {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
-    for (Plane_point& p : at) { p = p - low; }
-    m_boxes.push_back({high[0] - low[0], high[1] - low[1], 0, 0});
+    Bounding_box<Plane_point> box(at.front());
+    for (const Plane_point& p : at) { box.add(p); }
+    for (Plane_point& p : at) { p = p - box.low; }
+    m_boxes.push_back({box.high[0] - box.low[0], box.high[1] - box.low[1], 0, 0});
     m_total += m_boxes.back().width * m_boxes.back().height;
   }
 

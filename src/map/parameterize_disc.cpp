@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/map/parameterize_disc.h>
 
+#include <meridian/base/Bounding_box.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/edge_weights.h>
@@ -94,14 +95,10 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
 // Moves a map into the unit square and rounds it to 50 bits, so that it fits wherever it is packed later.
 void place_in_unit_square(std::vector<Plane_point>& at)
 {
-  Plane_point low = at.front(), high = low;
-  for (const Plane_point& p : at)
-    for (int k = 0; k < 2; ++k)
-    {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  const double size = std::max(high[0] - low[0], high[1] - low[1]), grid = std::ldexp(1., 50);
+  Bounding_box<Plane_point> box(at.front());
+  for (const Plane_point& p : at) { box.add(p); }
+  const Plane_point low = box.low, extent = box.high - low;
+  const double size = std::max(extent[0], extent[1]), grid = std::ldexp(1., 50);
   for (Plane_point& p : at)
     for (int k = 0; k < 2; ++k) { p[k] = size > 0 ? std::nearbyint((p[k] - low[k]) / size * grid) / grid : 0; }
 }

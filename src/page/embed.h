@@ -24,6 +24,9 @@ std::string library_scripts();
 // Text as it stands in HTML.
 std::string escaped(const std::string& text);
 
+// The head of every page, then its own text, with the title and the caption put in.
+std::string begin_page(const std::string& body, const std::string& title, const std::string& caption);
+
 // Puts `by` in the place of a mark, which must be there.
 void replace(std::string& text, const std::string& mark, const std::string& by);
 

@@ -3,6 +3,7 @@
 
 #include "embed.h"
 
+#include <meridian/base/Bounding_box.h>
 #include <meridian/base/vectors.h>
 #include <meridian/result/Assembled_result.h>
 #include <meridian/surface/Refined_surface.h>
@@ -46,16 +47,13 @@ public:
   explicit Page_data(const Assembled_result& assembled) : m_assembled(assembled)
   {
     const auto& points = assembled.mesh.points;
-    Point low = points.front(), high = low;
+    Bounding_box<Point> box(points.front());
     for (const auto& place : assembled.place)
-      for (Index v : place)
-        for (int i = 0; i < 3; ++i)
-        {
-          low[i] = std::min(low[i], points[v][i]);
-          high[i] = std::max(high[i], points[v][i]);
-        }
-    m_middle = 0.5 * low + 0.5 * high;
-    for (int i = 0; i < 3; ++i) { m_size = std::max(m_size, (high[i] / 2 - low[i] / 2) * 1.5); }
+    {
+      for (Index v : place) { box.add(points[v]); }
+    }
+    m_middle = 0.5 * box.low + 0.5 * box.high;
+    for (int i = 0; i < 3; ++i) { m_size = std::max(m_size, (box.high[i] / 2 - box.low[i] / 2) * 1.5); }
   }
   explicit Page_data(Assembled_result&&) = delete;
 
@@ -129,10 +127,7 @@ std::string format_page(const std::string& title, const std::string& caption, co
   for (std::size_t c = 0; c < parts.size(); ++c) { data.add(parts[c], c); }
   for (const Curve& curve : curves) { data.add(curve); }
 
-  std::string text(meridian_page_begin, meridian_page_end);
-  replace(text, "@TITLE@", escaped(title));
-  replace(text, "@HEADING@", escaped(title.substr(title.find_last_of('/') + 1)));
-  replace(text, "@CAPTION@", escaped(caption));
+  std::string text = begin_page(std::string(meridian_page_begin, meridian_page_end), title, caption);
   replace(text, "@OTHERS@", others);
   replace(text, "@SCRIPTS@", library_scripts() + data.format() + script(meridian_script_begin, meridian_script_end));
   return text;

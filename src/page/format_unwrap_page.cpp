@@ -4,6 +4,7 @@
 #include "embed.h"
 #include "files/chart_borders.h"
 
+#include <meridian/base/Bounding_box.h>
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/vectors.h>
 #include <meridian/unwrap/square_border.h>
@@ -19,14 +20,12 @@ namespace page {
 std::string format_unwrap_page(const std::string& title, const std::string& caption, const Result_mesh& mesh,
                                const std::vector<Plane_point>& texture, const std::vector<double>& distortion)
 {
-  Point low = mesh.points[mesh.faces.front()[0]], high = low;
+  Bounding_box<Point> box(mesh.points[mesh.faces.front()[0]]);
   for (const auto& f : mesh.faces)
-    for (std::int32_t v : f)
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        low[i] = std::min(low[i], mesh.points[v][i]);
-        high[i] = std::max(high[i], mesh.points[v][i]);
-      }
+  {
+    for (std::int32_t v : f) { box.add(mesh.points[v]); }
+  }
+  const auto& [low, high] = box;
   double size = 1e-300;
   for (std::size_t i = 0; i < 3; ++i) { size = std::max(size, (high[i] / 2 - low[i] / 2) * 1.5); }
   std::vector<float> positions, places, stretch(distortion.begin(), distortion.end());
@@ -53,10 +52,7 @@ std::string format_unwrap_page(const std::string& title, const std::string& capt
     append(borders, path.mates);
   }
 
-  std::string text(meridian_unwrap_page_begin, meridian_unwrap_page_end);
-  replace(text, "@TITLE@", escaped(title));
-  replace(text, "@HEADING@", escaped(title.substr(title.find_last_of('/') + 1)));
-  replace(text, "@CAPTION@", escaped(caption));
+  std::string text = begin_page(std::string(meridian_unwrap_page_begin, meridian_unwrap_page_end), title, caption);
   replace(text, "@SCRIPTS@",
           library_scripts() + "<script>\nconst data = {positions: '" + base64(positions) + "', places: '"
             + base64(places) + "', original: '" + base64(original) + "', corners: '" + base64(corners) + "', stretch: '"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report.h"
 
+#include <meridian/base/Bounding_box.h>
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Progress_observer.h>
 #include <meridian/base/Verification.h>
@@ -124,24 +125,21 @@ struct Pair_place
 
 Pair_place locate(const Generators& g, const Generator_pair& pair, double unit)
 {
-  Point low = g.surface.points[pair.meridian.vertices.front()], high = low, sum{0, 0, 0};
+  Bounding_box<Point> box(g.surface.points[pair.meridian.vertices.front()]);
+  Point sum{0, 0, 0};
   double weight = 0;
   for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
     for (std::size_t i = 0; i < c->vertices.size(); ++i)
     {
       const Point &p = g.surface.points[c->vertices[i]],
                   &q = g.surface.points[c->vertices[(i + 1) % c->vertices.size()]];
-      for (int k = 0; k < 3; ++k)
-      {
-        low[k] = std::min(low[k], p[k]);
-        high[k] = std::max(high[k], p[k]);
-      }
+      box.add(p);
       const double l = distance(p, q);
       sum = sum + (l / 2) * (p + q);
       weight += l;
     }
   const auto in_file = [&](const Point& p) { return Json{unit * p[0], unit * p[1], unit * p[2]}; };
-  return {in_file(low), in_file(high), in_file(weight > 0 ? (1 / weight) * sum : low)};
+  return {in_file(box.low), in_file(box.high), in_file(weight > 0 ? (1 / weight) * sum : box.low)};
 }
 
 // What pairs and loops have in common; `Curves` is `Generators` or `Homology_basis`.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/unwrap/geometry_image.h>
 
+#include <meridian/base/Bounding_box.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/map/planar_map.h>
@@ -151,15 +152,11 @@ private:
 // Writes positions as numbers of 16 bits in the box of a surface.
 void quantize(const std::vector<Point>& points, const Triangle_surface& disc, Geometry_image& image)
 {
-  image.low = disc.points.front();
-  Point high = image.low;
-  for (const Point& p : disc.points)
-    for (int c = 0; c < 3; ++c)
-    {
-      image.low[c] = std::min(image.low[c], p[c]);
-      high[c] = std::max(high[c], p[c]);
-    }
-  image.step = std::max({high[0] - image.low[0], high[1] - image.low[1], high[2] - image.low[2]}) / 65535;
+  Bounding_box<Point> box(disc.points.front());
+  for (const Point& p : disc.points) { box.add(p); }
+  image.low = box.low;
+  const Point extent = box.high - box.low;
+  image.step = std::max({extent[0], extent[1], extent[2]}) / 65535;
   for (const Point& p : points)
     for (int c = 0; c < 3; ++c)
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/unwrap/measure_round_trip.h>
 
+#include <meridian/base/Bounding_box.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_tree.h>
@@ -74,14 +75,9 @@ Round_trip measure_round_trip(const Triangle_surface& original, const Triangle_s
   result.back = measure_distance(remeshed, original, count);
   result.hausdorff = std::max(result.there.largest, result.back.largest);
   result.rms = std::max(result.there.rms, result.back.rms);
-  Point low = original.points.front(), high = low;
-  for (const Point& p : original.points)
-    for (int c = 0; c < 3; ++c)
-    {
-      low[c] = std::min(low[c], p[c]);
-      high[c] = std::max(high[c], p[c]);
-    }
-  result.diagonal = distance(low, high);
+  Bounding_box<Point> box(original.points.front());
+  for (const Point& p : original.points) { box.add(p); }
+  result.diagonal = distance(box.low, box.high);
   result.psnr =
     result.rms > 0 ? 20 * std::log10(result.diagonal / result.rms) : std::numeric_limits<double>::infinity();
   return result;

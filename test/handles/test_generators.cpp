@@ -28,13 +28,6 @@ using namespace meridian;
 
 namespace {
 
-double total(const Generators& g)
-{
-  double sum = 0;
-  for (const auto& pair : g.pairs) { sum += pair.meridian.length + pair.longitude.length; }
-  return sum;
-}
-
 void check(const Triangle_surface& s, const Generators& g)
 {
   const auto v = verify_generators(s, g);
@@ -119,7 +112,7 @@ BOOST_AUTO_TEST_CASE(tightening_shortens_and_keeps_the_classes)
       Generator_options options;
       options.tighten = false;
       const Generators loose = pipeline::generators(s, options), tight = pipeline::generators(s);
-      BOOST_TEST(total(tight) <= total(loose) * (1 + 1e-9));
+      BOOST_TEST(total_length(tight) <= total_length(loose) * (1 + 1e-9));
       BOOST_TEST((classes(s, loose) == classes(s, tight)));
     }
   }
@@ -141,11 +134,11 @@ BOOST_AUTO_TEST_CASE(on_a_torus_the_curves_come_close_to_the_shortest_ones)
 BOOST_AUTO_TEST_CASE(scaling_mirroring_and_refining_change_lengths_as_they_should)
 {
   const Triangle_surface s = sample::noisy(sample::plate(2, 3), 0.2, 5);
-  const double length = total(pipeline::generators(s));
-  BOOST_TEST(total(pipeline::generators(sample::scaled(s, 8))) == 8 * length);
-  BOOST_TEST(total(pipeline::generators(sample::mirrored(s))) == length, boost::test_tools::tolerance(0.1));
-  BOOST_TEST(total(pipeline::generators(sample::renumbered(s, 7))) == length, boost::test_tools::tolerance(0.1));
-  BOOST_TEST(total(pipeline::generators(sample::subdivided(s))) == length, boost::test_tools::tolerance(0.1));
+  const double length = total_length(pipeline::generators(s));
+  BOOST_TEST(total_length(pipeline::generators(sample::scaled(s, 8))) == 8 * length);
+  BOOST_TEST(total_length(pipeline::generators(sample::mirrored(s))) == length, boost::test_tools::tolerance(0.1));
+  BOOST_TEST(total_length(pipeline::generators(sample::renumbered(s, 7))) == length, boost::test_tools::tolerance(0.1));
+  BOOST_TEST(total_length(pipeline::generators(sample::subdivided(s))) == length, boost::test_tools::tolerance(0.1));
   const Generators one = pipeline::generators(s), two = pipeline::generators(s);
   BOOST_TEST((one.pairs.front().longitude.vertices == two.pairs.front().longitude.vertices
               && one.surface.points == two.surface.points));

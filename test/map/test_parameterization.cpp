@@ -34,24 +34,6 @@ using namespace meridian;
 
 namespace {
 
-// A grid of n x m squares, mapped into space by f.
-template <class Function> Triangle_surface sheet(int n, int m, const Function& f)
-{
-  Triangle_surface s;
-  for (int j = 0; j <= m; ++j)
-  {
-    for (int i = 0; i <= n; ++i) { s.points.push_back(f(i / double(n), j / double(m))); }
-  }
-  for (int j = 0; j < m; ++j)
-    for (int i = 0; i < n; ++i)
-    {
-      const Index p = j * (n + 1) + i, q = p + n + 1;
-      s.triangles.push_back({p, p + 1, q + 1});
-      s.triangles.push_back({p, q + 1, q});
-    }
-  return sample::connected(std::move(s));
-}
-
 Triangle_surface tube_with_cap(int around, int along) // one end open, radius 1, a step of 1/4
 {
   Triangle_surface s;
@@ -199,7 +181,7 @@ BOOST_AUTO_TEST_CASE(a_step_ends_where_a_triangle_collapses)
 BOOST_AUTO_TEST_CASE(distortion_of_a_linear_map_is_known)
 {
   // (x, y) -> (2 x, y / 2) keeps area; the map to the surface has the singular values 2 and 1/2.
-  const Triangle_surface s = sheet(4, 3, [](double x, double y) { return Point{3 * x, 2 * y, 0}; });
+  const Triangle_surface s = sample::sheet(4, 3, [](double x, double y) { return Point{3 * x, 2 * y, 0}; });
   std::vector<Plane_point> at;
   for (const Point& p : s.points) { at.push_back({2 * p[0], p[1] / 2}); }
   const auto check = [](const Distortion& d) {
@@ -220,7 +202,7 @@ BOOST_AUTO_TEST_CASE(distortion_of_a_linear_map_is_known)
   check(measure(sample::scaled(s, 1e-6), at));
 
   // Twice the share of area on one half: Gamma gamma is 3/4 there and 3/2 on the other.
-  const Triangle_surface two = sheet(2, 1, [](double x, double y) { return Point{2 * x, y, 0}; });
+  const Triangle_surface two = sample::sheet(2, 1, [](double x, double y) { return Point{2 * x, y, 0}; });
   std::vector<Plane_point> uneven;
   for (const Point& p : two.points) { uneven.push_back({p[0] < 1.5 ? 2 * p[0] : p[0] + 1, p[1]}); }
   const Distortion d = measure(two, uneven);
@@ -235,13 +217,13 @@ BOOST_AUTO_TEST_CASE(distortion_of_a_linear_map_is_known)
 // What can be unrolled is unrolled.
 BOOST_AUTO_TEST_CASE(developable_surfaces_are_mapped_without_distortion)
 {
-  const auto cylinder = sheet(24, 10, [](double x, double y) {
+  const auto cylinder = sample::sheet(24, 10, [](double x, double y) {
     return Point{std::cos(5 * x), std::sin(5 * x), 2 * y};
   });
-  const auto cone = sheet(24, 8, [](double x, double y) {
+  const auto cone = sample::sheet(24, 8, [](double x, double y) {
     return Point{(1 + y) * std::cos(3 * x), (1 + y) * std::sin(3 * x), 2 * y};
   });
-  const auto roll = sheet(60, 6, [](double x, double y) {
+  const auto roll = sample::sheet(60, 6, [](double x, double y) {
     return Point{(1 + x) * std::cos(9 * x), (1 + x) * std::sin(9 * x), y};
   });
   for (const Triangle_surface& s : {cylinder, roll})
@@ -460,7 +442,7 @@ BOOST_AUTO_TEST_CASE(charts_are_packed_side_by_side_at_one_scale)
   std::vector<Triangle_surface> discs;
   for (int i = 1; i <= 12; ++i)
   {
-    discs.push_back(sheet(i, 3, [&](double x, double y) {
+    discs.push_back(sample::sheet(i, 3, [&](double x, double y) {
       return Point{i * x * std::cos(i), i * x * std::sin(i) + 0.3 * y, y};
     }));
   }

@@ -81,6 +81,24 @@ inline Triangle_surface plate(int genus, int k = 2)
     {2 * genus + 1, 3, 1}, [](int i, int j, int) { return i % 2 == 0 || j != 1; }, k);
 }
 
+// A grid of n x m squares, mapped into space by f.
+template <class Function> Triangle_surface sheet(int n, int m, const Function& f)
+{
+  Triangle_surface s;
+  for (int j = 0; j <= m; ++j)
+  {
+    for (int i = 0; i <= n; ++i) { s.points.push_back(f(i / double(n), j / double(m))); }
+  }
+  for (int j = 0; j < m; ++j)
+    for (int i = 0; i < n; ++i)
+    {
+      const Index p = j * (n + 1) + i, q = p + n + 1;
+      s.triangles.push_back({p, p + 1, q + 1});
+      s.triangles.push_back({p, q + 1, q});
+    }
+  return connected(std::move(s));
+}
+
 // A torus of n x m quadrilaterals about the z axis.
 inline Triangle_surface torus(int n, int m, double big = 3, double small = 1)
 {

@@ -41,19 +41,7 @@ std::ostream& operator<<(std::ostream& out, const Sample& s) { return out << s.n
 
 Triangle_surface flat_square(int n)
 {
-  Triangle_surface s;
-  for (int j = 0; j <= n; ++j)
-  {
-    for (int i = 0; i <= n; ++i) { s.points.push_back({i / double(n), j / double(n), 0}); }
-  }
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i)
-    {
-      const Index p = j * (n + 1) + i, q = p + n + 1;
-      s.triangles.push_back({p, p + 1, q + 1});
-      s.triangles.push_back({p, q + 1, q});
-    }
-  return sample::connected(std::move(s));
+  return sample::sheet(n, n, [](double u, double v) { return Point{u, v, 0}; });
 }
 
 // Closed surfaces, one of genus 0, with handles, with boundary, with neither.

@@ -95,6 +95,10 @@ struct Generators : Field_summary
   Stage_times seconds;
 };
 
+/// \ingroup PkgMeridianGenerators
+/// \returns the length of all meridians and longitudes together
+double total_length(const Generators& generators);
+
 } // namespace meridian
 
 #endif // MERIDIAN_HANDLES_GENERATORS_H

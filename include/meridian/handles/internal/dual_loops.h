@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_HANDLES_INTERNAL_DUAL_LOOPS_H
 #define MERIDIAN_HANDLES_INTERNAL_DUAL_LOOPS_H
 
+#include <meridian/base/Euler_tour.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/contours.h>
@@ -43,14 +44,10 @@ public:
   boost::dynamic_bitset<> parity_of(const std::vector<Passing>& strip) const;
 
 private:
-  // When each node is entered and left on a tour of its tree, given as the halfedges to the neighbours of each node.
-  void tour(const std::vector<std::vector<Index>>& tree);
-
   const Triangle_surface& m_surface;
   const Closed_model& m_graph;
-  std::vector<Index> m_edges;          // in neither tree
-  std::vector<char> m_is_down;         // halfedges of the nodes' tree that lead away from its root
-  std::vector<Index> m_enter, m_leave; // of each node on a tour of its tree
+  std::vector<Index> m_edges; // in neither tree
+  Euler_tour m_tour;          // of the nodes' tree; its steps are halfedges
 };
 
 // The shortest loops through one face that are a basis: a tree of shortest ways through faces, and of the other edges a

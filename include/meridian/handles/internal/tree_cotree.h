@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_HANDLES_INTERNAL_TREE_COTREE_H
 #define MERIDIAN_HANDLES_INTERNAL_TREE_COTREE_H
 
+#include <meridian/base/Euler_tour.h>
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
 
@@ -31,8 +32,7 @@ private:
   const Triangle_surface& m_surface;
   Index m_outside; // the face beyond all boundary loops
   std::vector<Index> m_edges;
-  std::vector<char> m_is_down;         // for each halfedge, whether the faces' tree comes down through it
-  std::vector<Index> m_enter, m_leave; // of each face on a tour of its tree
+  Euler_tour m_tour; // of the faces' tree; its steps are the halfedges by which a face is entered
 };
 
 } // namespace internal
