@@ -11,8 +11,7 @@
 
 namespace meridian {
 
-// Curves as chords of faces: which of them cross, and what regions they divide a face into. All of it is read from the
-// orders of crossings on edges.
+// Curves as chords of faces: which of them cross, and what regions they divide a face into. All is read from orders.
 
 /// \returns the gap beside a crossing, to the left or to the right of the curve
 Normal_curves::Gap gap_beside(const Normal_curves& curves, Index x, bool left);
@@ -67,18 +66,17 @@ Index count_before_corner(const Normal_curves& curves, Index h, Index face);
 
 } // namespace internal
 
-/// calls `visit(gap, x)` for the gaps of the region of `face` that `gap` lies on, counterclockwise: `x` is the end of
-/// the chord that comes after the gap, or -1 if a corner does. The region lies to the left of the way from `x` into
-/// the face.
+/// calls `visit(gap, x)` for the gaps of the region of `face` that `gap` lies on, counterclockwise: the chord that ends
+/// at `x` comes after the gap, or a corner if that is -1. The region is to the left of the way from `x` into the face.
 template <class Visit>
 void for_each_gap_around(const Normal_curves& curves, const Normal_curves::Gap& gap, Index face, Visit visit)
 {
   const Triangle_surface& s = curves.surface();
   Index h = 3 * face;
   while (s.edge(h) != gap.edge) { ++h; }
-  const auto size = [&](Index g) { return static_cast<Index>(curves.on(s.edge(g)).size()); };
-  // places along a halfedge
-  const auto turned = [&](Index g, Index k) { return s.edge(g) == g ? k : size(g) - k; };
+  const auto turned = [&](Index g, Index k) { // to places along a halfedge, and back
+    return s.edge(g) == g ? k : static_cast<Index>(curves.on(s.edge(g)).size()) - k;
+  };
   const Index first = h, first_place = turned(h, gap.place);
   Index k = first_place;
   do {
