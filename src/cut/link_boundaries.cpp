@@ -4,7 +4,7 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/sleeve.h>
-#include <meridian/cut/internal/sleeve_search.h>
+#include <meridian/cut/internal/link_search.h>
 #include <meridian/cut/internal/slit_surface.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/Refined_surface.h>
@@ -29,7 +29,7 @@ std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Re
   std::vector<std::vector<Index>> links;
   if (slit.number_of_loops() < 2) { return links; } // a disc already
 
-  internal::Sleeve_search search(slit);
+  internal::Link_search search(slit);
   for (const Link_guide& guide : options.guides)
   {
     internal::Sleeve sleeve;

@@ -12,7 +12,7 @@
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
-#include <meridian/cut/internal/sleeve_search.h>
+#include <meridian/cut/internal/link_search.h>
 #include <meridian/cut/internal/slit_surface.h>
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/edge_weights.h>
@@ -527,14 +527,14 @@ BOOST_DATA_TEST_CASE(tightened_meridians_keep_their_class, data::xrange(1, 7), g
 // The search for links may end early: contacts come nearest first, so what comes later cannot change the tree.
 BOOST_AUTO_TEST_CASE(the_early_end_of_the_link_search_gives_the_whole_tree)
 {
-  using internal::Sleeve_search;
+  using internal::Link_search;
   const Triangle_surface s =
     sample::punctured(sample::noisy(sample::torus(40, 20), 0.05, 3), {0, 55, 110, 300, 471, 700});
   Refined_surface refined(s);
   internal::Slit_surface slit(s, refined, false);
   BOOST_REQUIRE(slit.number_of_loops() == 6);
-  const auto early = Sleeve_search(slit).find_spanning_contacts();
-  const auto whole = Sleeve_search(slit).find_spanning_contacts(Sleeve_search::Extent::WHOLE);
+  const auto early = Link_search(slit).find_spanning_contacts();
+  const auto whole = Link_search(slit).find_spanning_contacts(Link_search::Extent::WHOLE);
   BOOST_REQUIRE(early.size() == 5u);
   BOOST_REQUIRE(whole.size() == early.size());
   for (std::size_t i = 0; i < early.size(); ++i)

@@ -1,18 +1,26 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include <meridian/base/Euler_tour.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/geodesic_distance.h>
 #include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Face_tree.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Surface_curve.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/open_along.h>
+#include <meridian/surface/shortest_ways.h>
 
+#include <algorithm>
+#include <limits>
+#include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace data = boost::unit_test::data;
 using namespace meridian;
@@ -188,4 +196,83 @@ BOOST_AUTO_TEST_CASE(distant_nodes_lie_on_different_boundary_loops)
   BOOST_TEST(a != b);
   const auto d = edge_distances(g, edge_lengths(tube, g), a);
   BOOST_TEST(d[b] > 2.5); // a half circle is pi
+}
+
+// Definition: the nearest come first, and those that are equally far in their order, whatever order they came in.
+BOOST_AUTO_TEST_CASE(places_come_nearest_first_and_in_order_where_they_are_equally_far)
+{
+  std::mt19937 random(5);
+  std::vector<std::pair<double, Index>> places;
+  internal::Nearest_first<Index> queue;
+  for (Index i = 0; i < 200; ++i)
+  {
+    places.emplace_back(random() % 7, static_cast<Index>(random() % 50));
+    queue.reach(places.back().first, places.back().second);
+  }
+  std::sort(places.begin(), places.end());
+  std::size_t left = 0;
+  BOOST_TEST(queue.search([&](double d, Index place) {
+    BOOST_TEST((places[left] == std::pair<double, Index>(d, place)));
+    return ++left == 150;
+  }));
+  BOOST_TEST(!queue.search([&](double, Index) { return ++left > 200; }));
+  BOOST_TEST(left == 200u);
+}
+
+// Theorem (Bellman 1958): lengths are those of shortest ways if no edge makes one shorter, and each has its last edge.
+BOOST_AUTO_TEST_CASE(ways_through_faces_and_along_edges_cannot_be_shortened)
+{
+  const Triangle_surface s = sample::noisy(sample::punctured(sample::plate(2), {17}), 0.05, 3);
+  const internal::Face_tree tree = internal::grow_face_tree(s, 40);
+  for (Index f = 0; f < s.number_of_faces(); ++f)
+  {
+    BOOST_TEST((tree.by[f] < 0) == (f == 40));
+    if (f == 40) { BOOST_TEST(tree.distance[f] == 0); }
+    const auto& t = s.triangles[f];
+    const Point from = f == 40 ? (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]])
+                               : 0.5 * (s.points[s.source(tree.by[f])] + s.points[s.target(tree.by[f])]);
+    BOOST_TEST(distance(tree.entry(s, f), from) < 1e-14);
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
+    {
+      if (s.opposite[h] < 0) { continue; }
+      const Index g = s.face(s.opposite[h]);
+      const double reached = tree.distance[f] + distance(tree.entry(s, f), s.point_on(h, 0.5));
+      BOOST_TEST(tree.distance[g] <= reached);
+      if (tree.by[g] == h) { BOOST_TEST(tree.distance[g] == reached); }
+    }
+    if (f != 40) { BOOST_TEST(s.face(s.opposite[tree.by[f]]) == f); }
+  }
+  const Closed_model g = make_closed_model(s);
+  const std::vector<double> lengths = edge_lengths(s, g), at = edge_distances(g, lengths, 3);
+  for (Index a = 0; a < g.number_of_nodes; ++a)
+  {
+    double least = a == 3 ? 0 : std::numeric_limits<double>::infinity();
+    for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i) { least = std::min(least, at[g.neighbor[i]] + lengths[i]); }
+    BOOST_TEST(at[a] == least);
+  }
+}
+
+// Theorem (Tarjan, Vishkin 1985): what hangs below a node of a tree is what is entered while the walk is below it.
+BOOST_AUTO_TEST_CASE(a_walk_round_a_tree_is_below_a_node_while_it_has_entered_it)
+{
+  constexpr Index n = 80;
+  std::mt19937 random(7);
+  std::vector<Index> parent(n, -1);
+  std::vector<std::vector<Index>> steps(n); // 2i leads from the parent of i to i, 2i + 1 back
+  for (Index i = 1; i < n; ++i)
+  {
+    parent[i] = static_cast<Index>(random() % i);
+    steps[parent[i]].push_back(2 * i);
+    steps[i].insert(steps[i].begin(), 2 * i + 1);
+  }
+  const internal::Euler_tour tour =
+    internal::walk_tree(steps, 0, 2 * n, [&](Index step) { return step % 2 ? parent[step / 2] : step / 2; });
+  for (Index step = 2; step < 2 * n; ++step) { BOOST_TEST(tour.is_down[step] == (step % 2 == 0)); }
+  for (Index a = 0; a < n; ++a)
+    for (Index b = 0; b < n; ++b)
+    {
+      bool is_below = false;
+      for (Index c = b; c >= 0 && !is_below; c = parent[c]) { is_below = c == a; }
+      BOOST_TEST((tour.enter[a] <= tour.enter[b] && tour.enter[b] < tour.leave[a]) == is_below);
+    }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef MERIDIAN_CUT_INTERNAL_SLEEVE_SEARCH_H
-#define MERIDIAN_CUT_INTERNAL_SLEEVE_SEARCH_H
+#ifndef MERIDIAN_CUT_INTERNAL_LINK_SEARCH_H
+#define MERIDIAN_CUT_INTERNAL_LINK_SEARCH_H
 
 #include <meridian/base/vectors.h>
 #include <meridian/curves/sleeve.h>
@@ -27,10 +27,10 @@ struct Contact
 
 // Shortest strips of faces between the boundaries of a slit surface. The distance of a face is measured to the middle
 // of the edge by which it was entered.
-class Sleeve_search
+class Link_search
 {
 public:
-  explicit Sleeve_search(Slit_surface& slit)
+  explicit Link_search(Slit_surface& slit)
     : m_slit(slit), m_cell(slit.surface().number_of_faces(), -1), m_known_parents(slit.parents.size())
   {}
 
@@ -111,4 +111,4 @@ private:
 } // namespace internal
 } // namespace meridian
 
-#endif // MERIDIAN_CUT_INTERNAL_SLEEVE_SEARCH_H
+#endif // MERIDIAN_CUT_INTERNAL_LINK_SEARCH_H

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <meridian/cut/internal/sleeve_search.h>
+#include <meridian/cut/internal/link_search.h>
 
 #include <meridian/base/Union_find.h>
 #include <meridian/base/vectors.h>
@@ -16,7 +16,7 @@ namespace meridian {
 
 namespace internal {
 
-std::vector<Contact> Sleeve_search::find_spanning_contacts(Extent extent)
+std::vector<Contact> Link_search::find_spanning_contacts(Extent extent)
 {
   const std::vector<Contact> contacts = collect_contacts(extent);
   // The weight of a contact is its place in the order in which cells meet, so that ties are broken as the search did.
@@ -27,7 +27,7 @@ std::vector<Contact> Sleeve_search::find_spanning_contacts(Extent extent)
   return tree;
 }
 
-std::vector<Contact> Sleeve_search::collect_contacts(Extent extent)
+std::vector<Contact> Link_search::collect_contacts(Extent extent)
 {
   const Index faces = m_slit.surface().number_of_faces();
   m_reached.assign(faces, Reached{});
@@ -59,7 +59,7 @@ std::vector<Contact> Sleeve_search::collect_contacts(Extent extent)
   return contacts;
 }
 
-void Sleeve_search::seed_cell(Index loop, Growth& growth)
+void Link_search::seed_cell(Index loop, Growth& growth)
 {
   const Refined_surface& s = m_slit.surface();
   for_each_corner(loop, [&](Index h) {
@@ -81,7 +81,7 @@ void Sleeve_search::seed_cell(Index loop, Growth& growth)
   });
 }
 
-Contact Sleeve_search::contact_of(const Growth_event& e) const
+Contact Link_search::contact_of(const Growth_event& e) const
 {
   const Refined_surface& s = m_slit.surface();
   const Index a = e.along ? m_slit.loop(e.halfedge) : m_cell[s.face(e.halfedge)];
@@ -89,7 +89,7 @@ Contact Sleeve_search::contact_of(const Growth_event& e) const
   return {a, b, e.halfedge, e.along};
 }
 
-void Sleeve_search::leave_face(Index f, const std::vector<char>& is_done, Growth& growth)
+void Link_search::leave_face(Index f, const std::vector<char>& is_done, Growth& growth)
 {
   const Refined_surface& s = m_slit.surface();
   for (Index h = 3 * f; h < 3 * f + 3; ++h)
@@ -113,17 +113,17 @@ void Sleeve_search::leave_face(Index f, const std::vector<char>& is_done, Growth
   }
 }
 
-bool Sleeve_search::near(Index from, Index to, Sleeve& sleeve) const
+bool Link_search::near(Index from, Index to, Sleeve& sleeve) const
 {
   return search(from, sleeve, [&](Index f) { return m_cell[f] == from || m_cell[f] == to; });
 }
 
-bool Sleeve_search::anywhere(Index from, Sleeve& sleeve) const
+bool Link_search::anywhere(Index from, Sleeve& sleeve) const
 {
   return search(from, sleeve, [](Index) { return true; });
 }
 
-bool Sleeve_search::search(Index from, Sleeve& sleeve, const std::function<bool(Index)>& is_allowed, Index to) const
+bool Link_search::search(Index from, Sleeve& sleeve, const std::function<bool(Index)>& is_allowed, Index to) const
 {
   const Refined_surface& s = m_slit.surface();
   Reached_faces reached;
@@ -159,7 +159,7 @@ bool Sleeve_search::search(Index from, Sleeve& sleeve, const std::function<bool(
   });
 }
 
-bool Sleeve_search::take_strip(Reached_faces& reached, Index corner, Sleeve& sleeve) const
+bool Link_search::take_strip(Reached_faces& reached, Index corner, Sleeve& sleeve) const
 {
   const Refined_surface& s = m_slit.surface();
   sleeve = Sleeve{};
@@ -172,7 +172,7 @@ bool Sleeve_search::take_strip(Reached_faces& reached, Index corner, Sleeve& sle
   return is_usable(sleeve);
 }
 
-bool Sleeve_search::along_cells(const Contact& c, Sleeve& sleeve) const
+bool Link_search::along_cells(const Contact& c, Sleeve& sleeve) const
 {
   const Refined_surface& s = m_slit.surface();
   if (c.along)
@@ -209,7 +209,7 @@ bool Sleeve_search::along_cells(const Contact& c, Sleeve& sleeve) const
   return is_usable(sleeve);
 }
 
-bool Sleeve_search::along_faces(Index from, Index to, const std::vector<Index>& faces, Sleeve& sleeve) const
+bool Link_search::along_faces(Index from, Index to, const std::vector<Index>& faces, Sleeve& sleeve) const
 {
   const auto is_allowed = [&](Index f) {
     return std::binary_search(faces.begin(), faces.end(), m_slit.surface().face_of[f]);
@@ -217,14 +217,14 @@ bool Sleeve_search::along_faces(Index from, Index to, const std::vector<Index>& 
   return search(from, sleeve, is_allowed, to);
 }
 
-void Sleeve_search::grow()
+void Link_search::grow()
 {
   const auto& parents = m_slit.parents;
   for (std::size_t i = m_known_parents; i < parents.size(); ++i) { m_cell.push_back(m_cell[parents[i]]); }
   m_known_parents = parents.size();
 }
 
-bool Sleeve_search::is_usable(const Sleeve& sleeve) const
+bool Link_search::is_usable(const Sleeve& sleeve) const
 {
   if (!sleeve.halfedges.empty()) { return true; }
   if (sleeve.start == sleeve.end) { return false; }
