@@ -1,5 +1,5 @@
-# Fails if a header or source includes a folder above its own, or what is internal to another. The order stands in
-# doc/CONTRIBUTING.md.
+# Fails if a header or source includes a folder above its own, or what is internal to another, or if a header below the rim
+# reads what belongs behind a door: CGAL, Boost.Graph or a solver. The order stands in doc/CONTRIBUTING.md.
 cmake_minimum_required(VERSION 3.24)
 file(STRINGS ${ROOT}/doc/CONTRIBUTING.md line REGEX "^ *layers: ")
 string(REGEX REPLACE "^ *layers: +" "" line "${line}")
@@ -22,6 +22,12 @@ foreach(top include/meridian src)
       set(floor ${number}) # the program and its folders lie above all layers
     endif()
     math(EXPR count "${count} + 1")
+    if(file MATCHES "^[a-z]+/.*[.]h$" AND NOT own STREQUAL "mesh" AND top STREQUAL "include/meridian")
+      file(STRINGS ${ROOT}/${top}/${file} doors REGEX "^#include <(CGAL|boost/graph|Eigen|Spectra|cholmod|suitesparse)")
+      foreach(door IN LISTS doors)
+        list(APPEND wrong "${top}/${file} leaves a door open: ${door}")
+      endforeach()
+    endif()
     file(STRINGS ${ROOT}/${top}/${file} includes REGEX "^#include <meridian/.*/")
     foreach(include IN LISTS includes)
       string(REGEX REPLACE "^#include <meridian/([^/>]+).*" "\\1" other "${include}")

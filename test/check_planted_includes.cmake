@@ -1,4 +1,4 @@
-# The checks of includes see what is planted: a look up, a look into another's cupboard, and construction in the proof.
+# The checks of includes see what is planted: a look up, a look into another's cupboard, an open door, and construction in the proof.
 cmake_minimum_required(VERSION 3.24)
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK}/doc)
@@ -17,5 +17,7 @@ endfunction()
 expect(layers include/meridian/surface/measures.h "#include <meridian/cut/Cut.h>" "measures.h looks up")
 expect(layers src/field/order_surface.cpp "#include <meridian/handles/Generators.h>" "order_surface.cpp looks up")
 expect(layers src/cut/cut_to_disc.cpp "#include <meridian/surface/internal/split_face.h>" "looks into another's cupboard")
+expect(layers include/meridian/map/internal/cgal_maps.h "#include <CGAL/Surface_mesh.h>" "cgal_maps.h leaves a door open")
+expect(layers include/meridian/field/Sparse_solver.h "#include <cholmod.h>" "Sparse_solver.h leaves a door open")
 expect(proof src/program/verify.cpp "#include <meridian/surface/Triangle_surface.h>" "verify.cpp")
 expect(proof include/meridian/base/Result_mesh.h "#include <meridian/surface/measures.h>" "Result_mesh.h")
