@@ -1,3 +1,4 @@
+#include "field/cgal_distances.h"
 #include "support/sample_surfaces.h"
 
 #include <meridian/base/exceptions.h>
@@ -15,10 +16,6 @@
 #include <meridian/surface/measures.h>
 
 #include <CGAL/Eigen_solver_traits.h>
-#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_shortest_path.h>
 
 #include <boost/test/data/monomorphic.hpp>
 #include <boost/test/data/test_case.hpp>
@@ -115,50 +112,6 @@ double intrinsic_area(const Intrinsic_triangulation& t)
   double sum = 0;
   for (Index h = 0; h < t.number_of_halfedges(); ++h) { sum += t.area(h) / 3; }
   return sum;
-}
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vertex = Mesh::Vertex_index;
-
-Mesh mesh_of(const Triangle_surface& s)
-{
-  Mesh mesh;
-  for (const Point& p : s.points) { mesh.add_vertex({p[0], p[1], p[2]}); }
-  for (const auto& t : s.triangles) { mesh.add_face(Vertex(t[0]), Vertex(t[1]), Vertex(t[2])); }
-  return mesh;
-}
-
-std::vector<double> exact_distance(const Triangle_surface& s, Index source)
-{
-  Mesh mesh = mesh_of(s);
-  CGAL::Surface_mesh_shortest_path<CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>> paths(mesh);
-  paths.add_source_point(Vertex(source));
-  std::vector<double> d;
-  for (Index v = 0; v < s.number_of_vertices(); ++v)
-  {
-    d.push_back(paths.shortest_distance_to_source_points(Vertex(v)).first);
-  }
-  return d;
-}
-
-// CGAL's Heat_method_3.
-struct Heat_solver : CGAL::Eigen_solver_traits<Eigen::SimplicialLDLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>
-{
-  using Index = int;
-};
-std::vector<double> cgal_distance(const Triangle_surface& s, Index source)
-{
-  Mesh mesh = mesh_of(s);
-  CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, CGAL::Heat_method_3::Intrinsic_Delaunay, CGAL::Default,
-                                                         Heat_solver>
-    heat(mesh);
-  heat.add_source(Vertex(source));
-  auto map = mesh.add_property_map<Vertex, double>("v:distance", 0).first;
-  heat.estimate_geodesic_distances(map);
-  std::vector<double> d;
-  for (Index v = 0; v < s.number_of_vertices(); ++v) { d.push_back(map[Vertex(v)]); }
-  return d;
 }
 
 double mean_relative_error(const std::vector<double>& d, const std::vector<double>& expected)
