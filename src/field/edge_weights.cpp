@@ -7,18 +7,6 @@
 
 namespace meridian {
 
-const char* name_of(Weights weights)
-{
-  switch (weights)
-  {
-  case Weights::POSITIVE: return "positive";
-  case Weights::MEAN_VALUE: return "mean-value";
-  case Weights::COTANGENT: return "cotangent";
-  case Weights::INTRINSIC_DELAUNAY: return "intrinsic-delaunay";
-  }
-  return "";
-}
-
 std::vector<double> edge_weights(const Triangle_surface& s, Weights kind)
 {
   const Index halfedges = s.number_of_halfedges();

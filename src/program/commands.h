@@ -2,8 +2,6 @@
 #ifndef MERIDIAN_COMMANDS_H
 #define MERIDIAN_COMMANDS_H
 
-#include <meridian/base/vectors.h>
-
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -46,54 +44,6 @@ struct Info_arguments : Common_arguments
   std::vector<std::string> meshes;
 };
 
-// What the commands share that make something of a field.
-struct Field_arguments : Common_arguments
-{
-  std::string mesh, out, view, curves;
-  std::vector<Index> minima, maxima; // vertices of the file
-  bool has_direction = false, has_from = false, has_extrema = false;
-  std::string weights = "positive", field = "harmonic", values, extrema = "distant";
-  int eigenfunction = 0; // 0: the genus + 1
-  Index from = 0;        // where distances begin, or the loops of tree-cotree
-  std::string prefer = "gaussian-curvature", vertex_weights, levels = "saddle";
-  std::vector<double> direction{0, 0, 1};
-};
-
-struct Cut_arguments : Field_arguments
-{
-  Index source = 0;
-  bool has_source = false;
-  std::string method = "contours", join = "surface", links = "surface";
-  bool bifurcations = false;
-  std::string tighten = "curves";
-  bool on_edges = false, refine_where_needed = false;
-  int bases = 16;
-  bool has_bases = false;
-  int family = 0; // how many cuts; 0: one, as chosen
-};
-
-struct Unwrap_arguments : Cut_arguments // with a family, the best of its members
-{
-  std::string parameterization = "symmetric-dirichlet", border = "free";
-  bool has_border = false;
-  double stretch_weight = 0, max_stretch = 0;
-  std::string layout, texture, distortion; // paths, or empty
-  int geometry_image = 0;                  // pixels along a side, or 0
-};
-
-struct Compare_arguments : Common_arguments
-{
-  std::string mesh;
-  std::vector<std::string> cuts; // a result of `cut` or `unwrap`, or the number of a member of the family
-  std::string weights = "positive";
-};
-
-struct Generator_arguments : Field_arguments
-{
-  std::string basis = "pairs", longitudes = "flow", mode = "closed";
-  bool no_tighten = false, complex = false;
-};
-
 struct Verify_arguments : Common_arguments
 {
   std::string mesh, result;
@@ -112,8 +62,6 @@ Command add_unwrap(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_generators(CLI::App& app);
 Command add_verify(CLI::App& app);
-
-int run_family(const Cut_arguments& arguments); // of `cut`
 
 // From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and
 // takes what it has written with it. Until then signals end the program at once, so that a read that blocks can be

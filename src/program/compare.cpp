@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "arguments.h"
 #include "cut.h"
 #include "files/read_result.h"
 #include "options.h"
@@ -82,16 +83,11 @@ int run_compare(const Compare_arguments& arguments)
   std::vector<std::string> failures;
   const auto first = read_cut(arguments.cuts[0], soup, examination, failures),
              second = read_cut(arguments.cuts[1], soup, examination, failures);
-  Map_weights weights = Map_weights::POSITIVE;
-  for (Map_weights w : {Map_weights::UNIFORM, Map_weights::COTANGENT})
-  {
-    if (arguments.weights == name_of(w)) { weights = w; }
-  }
   Json components = Json::array();
   for (std::size_t i = 0; i < examination.components.size() && failures.empty(); ++i)
   {
     const Surface_component& component = examination.components[i];
-    const Map_comparison c = compare_parameterizations(component.surface, first[i], second[i], weights);
+    const Map_comparison c = compare_parameterizations(component.surface, first[i], second[i], arguments.weights);
     if (!(c.bound <= c.variation))
     {
       failures.push_back("component " + std::to_string(i) + ": the lower bound is larger than the variation");
@@ -123,7 +119,7 @@ int run_compare(const Compare_arguments& arguments)
     out.add(arguments.report, format_report({{"meridian", MERIDIAN_VERSION},
                                              {"input", report_input(arguments.mesh, soup, examination)},
                                              {"cuts", arguments.cuts},
-                                             {"weights", arguments.weights},
+                                             {"weights", name_of(arguments.weights)},
                                              {"components", components},
                                              {"failures", failures},
                                              {"verified", failures.empty()}}));
@@ -147,9 +143,7 @@ Command add_compare(CLI::App& app)
     ->required()
     ->expected(2)
     ->type_name("CUT");
-  command->add_option("--weights", a->weights, "of the linear map into a circle")
-    ->check(CLI::IsMember({"uniform", "positive", "cotangent"}))
-    ->capture_default_str();
+  add_choice(*command, "--weights", a->weights, "of the linear map into a circle");
   command->add_flag("--repair", a->repair, repair_help);
   add_common_options(*command, *a);
   return {command, [a] { return run_compare(*a); }};

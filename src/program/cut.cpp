@@ -44,18 +44,13 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
   const Surface_component& c = loaded.examination.components[place];
   Cut_options o;
   set_field_options(a, loaded, place, o, o.preference, o.levels);
-  for (Cut_method method : cut_methods)
-  {
-    if (a.method == name_of(method)) { o.method = method; }
-  }
-  o.join = a.join == "complex"   ? Generator_join::COMPLEX
-           : a.join == "saddles" ? Generator_join::SADDLES
-                                 : Generator_join::SURFACE;
-  o.tightening = a.tighten == "no" ? Tightening::NONE : a.tighten == "graph" ? Tightening::GRAPH : Tightening::CURVES;
+  o.method = a.method;
+  o.join = a.join;
+  o.tightening = a.tighten;
   o.on_edges = a.on_edges;
   o.refine_where_needed = a.refine_where_needed;
   o.bases = a.bases;
-  o.link_domain = a.links == "plane" ? Link_domain::PLANE : Link_domain::SURFACE;
+  o.link_domain = a.links;
   o.links.bifurcations = a.bifurcations;
   const auto local = [&](bool is_given, Index v) {
     const auto found = is_given ? find_local({v}, c) : std::vector<Index>();
@@ -131,34 +126,36 @@ void check_cut_arguments(const Cut_arguments& a)
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Usage_error(message); }
   };
-  const bool is_of_edges = a.method == "tree-cotree" || a.method == "geometry-image",
-             has_field = !a.values.empty() || a.field != "harmonic";
-  forbid((a.method != "contours" && a.method != "geodesic") && a.links == "plane",
+  const bool is_of_edges = a.method == Cut_method::TREE_COTREE || a.method == Cut_method::GEOMETRY_IMAGE,
+             has_field = !a.values.empty() || a.field != Field_kind::HARMONIC;
+  forbid((a.method != Cut_method::CONTOURS && a.method != Cut_method::GEODESIC) && a.links == Link_domain::PLANE,
          "--links plane goes with --method contours or geodesic");
-  forbid(a.method != "generators" && a.join != "surface", "--join goes with --method generators");
-  forbid(a.links == "plane" && (a.bifurcations || a.on_edges),
+  forbid(a.method != Cut_method::GENERATORS && a.join != Generator_join::SURFACE,
+         "--join goes with --method generators");
+  forbid(a.links == Link_domain::PLANE && (a.bifurcations || a.on_edges),
          "--links plane goes without --bifurcations and --on-edges");
   forbid(a.refine_where_needed && !a.on_edges, "--refine-where-needed goes with --on-edges");
-  forbid(a.refine_where_needed && a.tighten == "graph", "--refine-where-needed goes without --tighten graph");
-  forbid((is_of_edges || a.method == "geodesic") && has_field,
+  forbid(a.refine_where_needed && a.tighten == Tightening::GRAPH, "--refine-where-needed goes without --tighten graph");
+  forbid((is_of_edges || a.method == Cut_method::GEODESIC) && has_field,
          "this --method has a field of its own or none; leave out --field and --values");
-  forbid(a.has_from && a.method != "geodesic" && a.method != "tree-cotree" && a.field != "distance",
+  forbid(a.has_from && a.method != Cut_method::GEODESIC && a.method != Cut_method::TREE_COTREE
+           && a.field != Field_kind::DISTANCE,
          "--from goes with --method geodesic or tree-cotree, or with --field distance");
-  const bool has_meridian_choice = a.prefer != "gaussian-curvature" || a.levels != "saddle",
-             has_field_choice = a.weights != "positive" || a.has_extrema;
+  const bool has_meridian_choice = a.prefer != Prefer::GAUSSIAN_CURVATURE || a.levels != Levels::SADDLE,
+             has_field_choice = a.weights != Weights::POSITIVE || a.has_extrema;
   forbid(is_of_edges
            && (!a.minima.empty() || !a.maxima.empty() || a.has_source || a.bifurcations || has_field_choice
                || has_meridian_choice),
          "methods that cut edges have no field, no meridians and no links");
-  forbid(a.method == "geodesic" && has_field_choice,
+  forbid(a.method == Cut_method::GEODESIC && has_field_choice,
          "--method geodesic has a field of its own; leave out --weights and --extrema");
-  forbid(a.method == "morse" && has_meridian_choice,
+  forbid(a.method == Cut_method::MORSE && has_meridian_choice,
          "--method morse cuts the lines of all saddles; leave out --prefer and --levels");
-  forbid(a.has_bases && (a.method != "tree-cotree" || a.has_from),
+  forbid(a.has_bases && (a.method != Cut_method::TREE_COTREE || a.has_from),
          "--bases goes with --method tree-cotree, and without --from");
-  forbid(a.has_source && a.on_edges && (a.method == "generators" || a.method == "morse"),
+  forbid(a.has_source && a.on_edges && (a.method == Cut_method::GENERATORS || a.method == Cut_method::MORSE),
          "--source goes without --on-edges with this --method");
-  forbid(a.has_source && a.tighten == "graph",
+  forbid(a.has_source && a.tighten == Tightening::GRAPH,
          "--source goes without --tighten graph, which would move the links away from it");
 }
 

@@ -48,17 +48,19 @@ void check_arguments(const Field_arguments& a)
   };
   const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
   forbid(!(far > 0) || !std::isfinite(far), "--direction must be finite and not 0 0 0");
-  const bool is_harmonic = a.values.empty() && a.field == "harmonic";
-  forbid(a.has_direction && a.prefer != "position" && a.prefer != "hidden",
+  const bool is_harmonic = a.values.empty() && a.field == Field_kind::HARMONIC;
+  forbid(a.has_direction && a.prefer != Prefer::POSITION && a.prefer != Prefer::HIDDEN,
          "--direction goes with --prefer position or hidden");
-  forbid((a.prefer == "weights") == a.vertex_weights.empty(), "--prefer weights and --vertex-weights go together");
-  forbid(!a.values.empty() && a.field != "harmonic", "--values is a field; leave out --field");
-  forbid(a.eigenfunction > 0 && a.field != "eigenfunction", "--eigenfunction goes with --field eigenfunction");
+  forbid((a.prefer == Prefer::WEIGHTS) == a.vertex_weights.empty(),
+         "--prefer weights and --vertex-weights go together");
+  forbid(!a.values.empty() && a.field != Field_kind::HARMONIC, "--values is a field; leave out --field");
+  forbid(a.eigenfunction > 0 && a.field != Field_kind::EIGENFUNCTION,
+         "--eigenfunction goes with --field eigenfunction");
   forbid(a.has_extrema && (!is_harmonic || !a.minima.empty() || !a.maxima.empty()),
          "--extrema is for harmonic fields, and without --minimum and --maximum");
-  forbid(a.weights != "positive" && (!a.values.empty() || a.field == "distance"),
+  forbid(a.weights != Weights::POSITIVE && (!a.values.empty() || a.field == Field_kind::DISTANCE),
          "--weights goes with fields that are solved for with them: harmonic or eigenfunction");
-  forbid(a.weights == "mean-value" && (a.field == "eigenfunction" || a.extrema == "curved"),
+  forbid(a.weights == Weights::MEAN_VALUE && (a.field == Field_kind::EIGENFUNCTION || a.extrema == Extrema::CURVED),
          "eigenfunctions need symmetric weights; mean-value weights are not");
 }
 
@@ -139,13 +141,13 @@ std::vector<double> local_values(const std::vector<double>& values, const Loaded
 void solve_field(const Field_arguments& a, const Loaded_mesh& loaded, const Surface_component& c, Field_options& field)
 {
   if (!a.values.empty()) { field.values = local_values(loaded.values, loaded, c); }
-  else if (a.field == "eigenfunction")
+  else if (a.field == Field_kind::EIGENFUNCTION)
   {
     const int i = a.eigenfunction > 0 ? a.eigenfunction : c.genus() + 1;
     field.values_name = "eigenfunction " + std::to_string(i);
     field.values = eigenfunction_field(c.surface, i, field.weights);
   }
-  else if (a.field == "distance")
+  else if (a.field == Field_kind::DISTANCE)
   {
     const auto from = a.has_from ? find_local({a.from}, c) : std::vector<Index>();
     const Closed_model g = make_closed_model(c.surface);
@@ -153,7 +155,7 @@ void solve_field(const Field_arguments& a, const Loaded_mesh& loaded, const Surf
     field.values = geodesic_distance(
       c.surface, {from.empty() ? g.representative[find_distant_nodes(c.surface, g).first] : from.front()});
   }
-  else if (a.extrema == "curved")
+  else if (a.extrema == Extrema::CURVED)
   {
     const auto [low, high] = find_curved_vertices(c.surface, 4, field.weights);
     field.minima = {low};
@@ -167,22 +169,22 @@ void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std:
                        Preference& preference, Levels& levels)
 {
   const Surface_component& c = loaded.examination.components[place];
-  for (Weights w : {Weights::POSITIVE, Weights::MEAN_VALUE, Weights::COTANGENT, Weights::INTRINSIC_DELAUNAY})
-  {
-    if (a.weights == name_of(w)) { field.weights = w; }
-  }
+  field.weights = a.weights;
   field.minima = find_local(a.minima, c);
   field.maxima = find_local(a.maxima, c);
   if (c.genus() > 0) { check_extrema(field, c, place); }
   if (c.genus() > 0) { solve_field(a, loaded, c, field); }
   const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
   const Point direction{a.direction[0] / far, a.direction[1] / far, a.direction[2] / far};
-  if (a.levels == "tight") { levels = Levels::TIGHT; }
-  if (a.prefer == "hidden") { preference = preference::low_weight(visibility(c.surface, direction)); }
-  if (a.prefer == "weights") { preference = preference::low_weight(local_values(loaded.vertex_weights, loaded, c)); }
-  if (a.prefer == "mean-curvature") { preference = preference::mean_curvature; }
-  if (a.prefer == "length") { preference = preference::short_length; }
-  if (a.prefer == "position") { preference = preference::position(direction); }
+  levels = a.levels;
+  if (a.prefer == Prefer::HIDDEN) { preference = preference::low_weight(visibility(c.surface, direction)); }
+  if (a.prefer == Prefer::WEIGHTS)
+  {
+    preference = preference::low_weight(local_values(loaded.vertex_weights, loaded, c));
+  }
+  if (a.prefer == Prefer::MEAN_CURVATURE) { preference = preference::mean_curvature; }
+  if (a.prefer == Prefer::LENGTH) { preference = preference::short_length; }
+  if (a.prefer == Prefer::POSITION) { preference = preference::position(direction); }
 }
 
 } // namespace program

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_FIELD_ARGUMENTS_H
 #define MERIDIAN_FIELD_ARGUMENTS_H
 
-#include "commands.h"
+#include "arguments.h"
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/vectors.h>

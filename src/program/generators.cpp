@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Terminal.h"
+#include "arguments.h"
 #include "end_run.h"
 #include "field_arguments.h"
 #include "files/Output_files.h"
@@ -39,8 +40,8 @@ Generator_options options_for(const Generator_arguments& a, const Loaded_mesh& l
 {
   Generator_options o;
   set_field_options(a, loaded, place, o, o.preference, o.levels);
-  o.is_open = a.mode == "open";
-  o.flow = a.longitudes == "flow";
+  o.is_open = a.mode == Boundary_mode::OPEN;
+  o.flow = a.longitudes == Longitudes::FLOW;
   o.tighten = !a.no_tighten;
   o.keep_complex = a.complex;
   return o;
@@ -225,7 +226,7 @@ int run_generators(const Generator_arguments& arguments)
   const Loaded_mesh loaded = load_mesh(arguments);
   const Examination& examination = loaded.examination;
   const Outcome outcome =
-    arguments.basis == "pairs" ? find_pairs(arguments, loaded, terminal) : find_loops(arguments, loaded, terminal);
+    arguments.basis == Basis::PAIRS ? find_pairs(arguments, loaded, terminal) : find_loops(arguments, loaded, terminal);
   const Generator_verification& verification = outcome.verification;
   const Json report{
     {"meridian", MERIDIAN_VERSION},
@@ -269,22 +270,9 @@ Command add_generators(CLI::App& app)
   add_common_options(*command, *a);
   command->add_flag("--repair", a->repair, repair_help);
   add_field_options(*command, *a);
-  command
-    ->add_option(
-      "--basis", a->basis,
-      "a meridian and a longitude for every handle, or short loops that are a basis of homology and may cross")
-    ->check(CLI::IsMember({"pairs", "shortest"}))
-    ->capture_default_str();
-  command->add_option("--longitudes", a->longitudes, "look for flow lines first, or take shortest arcs at once")
-    ->check(CLI::IsMember({"flow", "arc"}))
-    ->capture_default_str();
-  command
-    ->add_option(
-      "--mode", a->mode,
-      "boundary loops take one value of the field each, or the boundary is free and level lines may end there")
-    ->check(CLI::IsMember({"closed", "open"}))
-    ->capture_default_str()
-    ->group("The field");
+  add_choice(*command, "--basis", a->basis, "what the curves are");
+  add_choice(*command, "--longitudes", a->longitudes, "how longitudes are looked for");
+  add_choice(*command, "--mode", a->mode, "what the field does at the boundary")->group("The field");
   command->add_flag("--complex", a->complex, "show the flow lines of the field in --view and write them to --curves");
   command->add_flag("--no-tighten", a->no_tighten, "leave the curves as they were found");
   return {command, [a, command] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
+#include "arguments.h"
 
 namespace meridian {
 namespace program {
@@ -10,24 +11,13 @@ namespace {
 
 void add_preferences(CLI::App& command, Field_arguments& a)
 {
-  command
-    .add_option("--prefer", a.prefer,
-                "which loops are cut first: with high gaussian-curvature or mean-curvature at the saddle, of short "
-                "length, in a position far out, hidden from an eye, or through low weights")
-    ->check(CLI::IsMember({"gaussian-curvature", "mean-curvature", "length", "position", "hidden", "weights"}))
-    ->capture_default_str()
-    ->group("The meridians");
+  add_choice(command, "--prefer", a.prefer, "which loops are cut first")->group("The meridians");
   command
     .add_option("--vertex-weights", a.vertex_weights,
                 "with --prefer weights: a text file of numbers, one a vertex of MESH, high where loops shall not be")
     ->type_name("FILE")
     ->group("The meridians");
-  command
-    .add_option("--levels", a.levels,
-                "take loops near their saddle, or where they are tightest between two critical levels")
-    ->check(CLI::IsMember({"saddle", "tight"}))
-    ->capture_default_str()
-    ->group("The meridians");
+  add_choice(command, "--levels", a.levels, "where loops are taken")->group("The meridians");
   command
     .add_option("--direction", a.direction,
                 "with --prefer position: loops far out in this direction first; with hidden: towards the eye")
@@ -38,19 +28,8 @@ void add_preferences(CLI::App& command, Field_arguments& a)
 
 void add_link_options(CLI::App& command, Cut_arguments& a)
 {
-  command
-    .add_option("--join", a.join,
-                "with --method generators: join the pairs by shortest paths on the surface, along the quasi "
-                "Morse-Smale complex, or along its paths between the meridians' saddles")
-    ->check(CLI::IsMember({"surface", "complex", "saddles"}))
-    ->capture_default_str()
-    ->group("The links");
-  command
-    .add_option("--links", a.links,
-                "join the boundaries by shortest paths on the surface, or through a plane embedding")
-    ->check(CLI::IsMember({"surface", "plane"}))
-    ->capture_default_str()
-    ->group("The links");
+  add_choice(command, "--join", a.join, "with --method generators: how the pairs are joined")->group("The links");
+  add_choice(command, "--links", a.links, "how the boundaries are joined")->group("The links");
   command.add_flag("--bifurcations", a.bifurcations, "let links end on other links, which makes the cut shorter")
     ->group("The links");
   command.add_option("--source", a.source, "a vertex of MESH that the links shall pass through")
@@ -68,30 +47,15 @@ void add_common_options(CLI::App& command, Common_arguments& a)
 
 void add_field_options(CLI::App& command, Field_arguments& a)
 {
-  command
-    .add_option("--field", a.field,
-                "the field whose contours are cut: harmonic, an eigenfunction of the Laplacian, or the geodesic "
-                "distance from a vertex")
-    ->check(CLI::IsMember({"harmonic", "eigenfunction", "distance"}))
-    ->capture_default_str()
-    ->group("The field");
+  add_choice(command, "--field", a.field, "the field whose contours are cut")->group("The field");
   command.add_option("--values", a.values, "a field from a text file of numbers, one a vertex of MESH")
     ->type_name("FILE")
     ->group("The field");
   command.add_option("--eigenfunction", a.eigenfunction, "which one, from 1; otherwise the genus + 1")
     ->check(CLI::Range(1, 1000000000))
     ->group("The field");
-  command.add_option("--weights", a.weights, "discretization of the Laplacian")
-    ->check(CLI::IsMember({"positive", "mean-value", "cotangent", "intrinsic-delaunay"}))
-    ->capture_default_str()
-    ->group("The field");
-  command
-    .add_option("--extrema", a.extrema,
-                "where a harmonic field is lowest and highest: at two vertices far apart, or at the extrema of "
-                "eigenfunctions with the highest curvature")
-    ->check(CLI::IsMember({"distant", "curved"}))
-    ->capture_default_str()
-    ->group("The field");
+  add_choice(command, "--weights", a.weights, "how the Laplacian is discretized")->group("The field");
+  add_choice(command, "--extrema", a.extrema, "where a harmonic field is lowest and highest")->group("The field");
   command.add_option("--minimum", a.minima, "vertices of MESH (from 0) where the field is lowest, instead")
     ->type_name("V...")
     ->group("The field");
@@ -111,24 +75,13 @@ void add_cut_options(CLI::App& command, Cut_arguments& a)
   add_common_options(command, a);
   command.add_flag("--repair", a.repair, repair_help);
   add_field_options(command, a);
-  command
-    .add_option("--method", a.method,
-                "what cuts the handles: a contour each, a meridian and a longitude each, the descending flow lines "
-                "of all saddles, contours of the geodesic distance, shortest loops of edges at a base point, or the "
-                "edges left when faces are removed")
-    ->check(CLI::IsMember({"contours", "generators", "morse", "geodesic", "tree-cotree", "geometry-image"}))
-    ->capture_default_str();
+  add_choice(command, "--method", a.method, "what cuts the handles");
   command
     .add_option("--bases", a.bases,
                 "with --method tree-cotree: how many base points are tried, unless --from names one")
     ->check(CLI::Range(1, 1000000000))
     ->capture_default_str();
-  command
-    .add_option("--tighten", a.tighten,
-                "shorten nothing, the curves within their classes, or the whole graph, whose vertices then move and "
-                "whose paths may change places")
-    ->check(CLI::IsMember({"no", "curves", "graph"}))
-    ->capture_default_str();
+  add_choice(command, "--tighten", a.tighten, "what is made shorter");
   command.add_flag("--on-edges", a.on_edges, "cut existing edges only, so that there are no new vertices");
   command.add_flag("--refine-where-needed", a.refine_where_needed,
                    "with --on-edges: divide the triangles where the mesh is too coarse for disjoint loops of edges");

@@ -4,14 +4,38 @@
 
 #include "commands.h"
 
+#include <meridian/base/names.h>
+
 #include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
 
 namespace meridian {
 namespace program {
 
+struct Field_arguments;
+struct Cut_arguments;
+
 // The options that several commands share, and what was given of them whose default cannot tell.
 
 extern const char* const repair_help;
+
+// An option whose value is the name of one of an enum's; its help lists them all with what they mean.
+template <class Enum> CLI::Option* add_choice(CLI::App& command, const char* option, Enum& value, std::string help)
+{
+  std::vector<std::string> names;
+  for (const auto& v : Names<Enum>::table)
+  {
+    names.push_back(v.name);
+    help += std::string("\n  ") + v.name + ": " + v.meaning;
+  }
+  return command
+    .add_option_function<std::string>(
+      option, [&value](const std::string& name) { value = from_name<Enum>(name).value(); }, help)
+    ->check(CLI::IsMember(names))
+    ->default_str(name_of(value));
+}
 
 void add_common_options(CLI::App& command, Common_arguments& a);
 void add_field_options(CLI::App& command, Field_arguments& a);

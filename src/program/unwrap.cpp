@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "arguments.h"
 #include "cut.h"
 #include "end_run.h"
 #include "files/png.h"
@@ -57,9 +58,10 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Usage_error(message); }
   };
-  const bool is_free = a.parameterization == "lscm" || a.parameterization == "arap";
-  forbid(is_free && a.border != "free", "this --parameterization has a free border; leave out --border");
-  forbid(!is_free && a.parameterization != "symmetric-dirichlet" && a.has_border && a.border == "free",
+  const bool is_free = a.parameterization == Map_method::LSCM || a.parameterization == Map_method::ARAP;
+  forbid(is_free && a.border != Map_border::FREE, "this --parameterization has a free border; leave out --border");
+  forbid(!is_free && a.parameterization != Map_method::SYMMETRIC_DIRICHLET && a.has_border
+           && a.border == Map_border::FREE,
          "this --parameterization needs a border; --border circle or square");
   forbid(!a.texture.empty() && files::format_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
   const std::string format = files::format_of(a.distortion);
@@ -71,9 +73,9 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   if (a.geometry_image > 0)
   {
     forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
-    forbid((a.has_border && a.border != "square")
-             || (a.parameterization != "symmetric-dirichlet" && a.parameterization != "stretch"
-                 && a.parameterization != "positive"),
+    forbid((a.has_border && a.border != Map_border::SQUARE)
+             || (a.parameterization != Map_method::SYMMETRIC_DIRICHLET && a.parameterization != Map_method::STRETCH
+                 && a.parameterization != Map_method::POSITIVE),
            "--geometry-image maps into a square with --parameterization symmetric-dirichlet, stretch or positive");
     for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
   }
@@ -84,13 +86,8 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
 {
   Unwrap_options o;
   o.cut = cut;
-  for (Map_method method : map_methods)
-  {
-    if (a.parameterization == name_of(method)) { o.map.method = method; }
-  }
-  o.map.border = a.border == "square"   ? Map_border::SQUARE
-                 : a.border == "circle" ? Map_border::CIRCLE
-                                        : Map_border::FREE;
+  o.map.method = a.parameterization;
+  o.map.border = a.border;
   o.family = std::max(a.family, 1);
   o.stretch_weight = a.stretch_weight;
   o.max_stretch = a.max_stretch;
@@ -418,20 +415,10 @@ Command add_unwrap(CLI::App& app)
                  "the mesh with texture coordinates: OBJ; vertices are not doubled, seams are in the coordinates")
     ->required()
     ->type_name("OUT.obj");
-  command
-    ->add_option("--parameterization", a->parameterization,
-                 "low distortion, one-to-one; averages with positive weights, the same with low stretch, "
-                 "mean value coordinates, uniform averages, discrete conformal, discrete authalic; least squares "
-                 "conformal or as rigid as possible, both with a free border")
-    ->check(CLI::IsMember(
-      {"symmetric-dirichlet", "positive", "stretch", "mean-value", "tutte", "conformal", "authalic", "lscm", "arap"}))
-    ->capture_default_str()
+  add_choice(*command, "--parameterization", a->parameterization, "how discs are mapped into the plane")
     ->group("The map");
-  command
-    ->add_option("--border", a->border,
-                 "where the border goes: where the method likes; those that need a border take a circle")
-    ->check(CLI::IsMember({"free", "circle", "square"}))
-    ->capture_default_str()
+  add_choice(*command, "--border", a->border,
+             "where the border of a disc goes; methods that need one take a circle for free")
     ->group("The map");
   command->add_option("--family", a->family, "try N different cuts, and take the best")
     ->check(CLI::Range(1, 1000000000))

@@ -15,17 +15,6 @@
 
 namespace meridian {
 
-const char* name_of(Map_weights weights)
-{
-  switch (weights)
-  {
-  case Map_weights::UNIFORM: return "uniform";
-  case Map_weights::POSITIVE: return "positive";
-  case Map_weights::COTANGENT: return "cotangent";
-  }
-  return "";
-}
-
 std::vector<double> map_weights(const Triangle_surface& s, Map_weights kind)
 {
   if (kind == Map_weights::UNIFORM) { return std::vector<double>(s.number_of_halfedges(), 1.); }

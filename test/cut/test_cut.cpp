@@ -3,6 +3,7 @@
 
 #include <meridian/base/Progress_observer.h>
 #include <meridian/base/exceptions.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/add_contours.h>
@@ -14,12 +15,15 @@
 #include <meridian/cut/Cut_options.h>
 #include <meridian/cut/internal/link_search.h>
 #include <meridian/cut/internal/slit_surface.h>
+#include <meridian/cut/join_generators.h>
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/handles/Generators.h>
 #include <meridian/handles/find_meridians.h>
 #include <meridian/handles/internal/tree_cotree.h>
 #include <meridian/handles/preference.h>
 #include <meridian/handles/select_meridians.h>
+#include <meridian/map/Map_method.h>
 #include <meridian/map/embed_in_plane.h>
 #include <meridian/proof/internal/verify_basis.h>
 #include <meridian/result/recount.h>
@@ -27,6 +31,9 @@
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/open_along.h>
+
+#include <set>
+#include <string>
 
 namespace data = boost::unit_test::data;
 using namespace meridian;
@@ -544,4 +551,41 @@ BOOST_AUTO_TEST_CASE(the_early_end_of_the_link_search_gives_the_whole_tree)
     BOOST_TEST(early[i].halfedge == whole[i].halfedge);
     BOOST_TEST(early[i].along == whole[i].along);
   }
+}
+
+namespace {
+
+// Names are different words without spaces, and lead back to their values.
+template <class Enum> void check_names()
+{
+  std::set<std::string> names;
+  for (const Enum value : all<Enum>())
+  {
+    const std::string name = name_of(value);
+    BOOST_TEST(names.insert(name).second, name);
+    BOOST_TEST(!name.empty());
+    BOOST_TEST(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos, name);
+    BOOST_REQUIRE(from_name<Enum>(name).has_value());
+    BOOST_TEST((from_name<Enum>(name).value() == value), name);
+    BOOST_TEST(!from_name<Enum>(name + "x").has_value());
+  }
+  BOOST_TEST(names.size() == number_of<Enum>);
+  BOOST_TEST(!from_name<Enum>("").has_value());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(names_are_different_and_lead_back_to_their_values)
+{
+  check_names<Stage>();
+  check_names<Weights>();
+  check_names<Levels>();
+  check_names<Cut_method>();
+  check_names<Tightening>();
+  check_names<Link_domain>();
+  check_names<Generator_join>();
+  check_names<Curve_method>();
+  check_names<Loop_class>();
+  check_names<Map_method>();
+  check_names<Map_border>();
 }

@@ -242,7 +242,7 @@ BOOST_DATA_TEST_CASE(every_method_gives_a_map_without_flipped_faces, data::xrang
   for (Map_border border : {Map_border::FREE, Map_border::CIRCLE, Map_border::SQUARE})
   {
     Map_options options;
-    options.method = map_methods[m];
+    options.method = all<Map_method>()[m];
     options.border = border;
     const Parameterization p = pipeline::map(disc, options);
     BOOST_TEST_CONTEXT(samples()[i].first << ' ' << name_of(options.method) << ' ' << name_of(border))

@@ -8,8 +8,15 @@
 #include "files/write_mesh.h"
 
 #include <meridian/base/Result_mesh.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
+#include <meridian/curves/contours.h>
+#include <meridian/cut/Cut_options.h>
+#include <meridian/cut/join_generators.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/map/Map_method.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/unwrap/compare_parameterizations.h>
 
 #include <nlohmann/json.hpp>
 
@@ -307,6 +314,38 @@ BOOST_FIXTURE_TEST_CASE(every_option_of_cut_gives_a_verified_result, Fixture)
     BOOST_TEST(meridian("verify mesh.obj x.off").status == 0, options);
   }
   BOOST_TEST(contains(meridian("cut mesh.obj -o x.off --minimum 5 --maximum 5").error, "are one vertex"));
+}
+
+namespace {
+
+// Every value of an enum is listed with what it means, and taken.
+template <class Enum> void check_listed(const std::string& help, const std::string& option)
+{
+  const std::string part = help.substr(std::min(help.find(option), help.size()));
+  BOOST_TEST(!part.empty(), option);
+  for (const auto& v : Names<Enum>::table)
+  {
+    BOOST_TEST(contains(part, std::string(v.name) + ": " + v.meaning), option << ' ' << v.name);
+  }
+}
+
+} // namespace
+
+BOOST_FIXTURE_TEST_CASE(help_lists_every_choice_and_another_word_is_refused, Fixture)
+{
+  const std::string help = meridian("unwrap --help").out;
+  check_listed<Cut_method>(help, "--method");
+  check_listed<Tightening>(help, "--tighten");
+  check_listed<Weights>(help, "--weights");
+  check_listed<Levels>(help, "--levels");
+  check_listed<Generator_join>(help, "--join");
+  check_listed<Link_domain>(help, "--links");
+  check_listed<Map_method>(help, "--parameterization");
+  check_listed<Map_border>(help, "--border");
+  check_listed<Map_weights>(meridian("compare --help").out, "--weights");
+  const auto refused = meridian("cut mesh.obj -o x.off --method contour");
+  BOOST_TEST(refused.status == 64);
+  BOOST_TEST(contains(refused.error, "contours"), refused.error);
 }
 
 #ifdef MERIDIAN_CHROMIUM

@@ -29,7 +29,7 @@ using namespace meridian;
 
 namespace {
 
-constexpr std::array<Map_weights, 3> all_weights{Map_weights::UNIFORM, Map_weights::POSITIVE, Map_weights::COTANGENT};
+constexpr auto all_weights = all<Map_weights>();
 
 Triangle_surface surface(int which)
 {

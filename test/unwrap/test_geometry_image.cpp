@@ -337,12 +337,12 @@ BOOST_DATA_TEST_CASE(every_gluing_of_the_border_makes_a_closed_surface, data::xr
 }
 
 // Every method's cut, among them those with many sectors at one vertex and with free ends.
-BOOST_DATA_TEST_CASE(every_cut_closes_again, data::xrange(cut_methods.size()) * data::xrange(2), method, holes)
+BOOST_DATA_TEST_CASE(every_cut_closes_again, data::xrange(number_of<Cut_method>) * data::xrange(2), method, holes)
 {
   Triangle_surface s = sample::bitorus(20);
   if (holes > 0) { s = sample::punctured(s, {100}); }
   Cut_options options;
-  options.method = cut_methods[method];
+  options.method = all<Cut_method>()[method];
   const Image r = make_image(s, 65, options);
   const Remeshed m = remesh_from_image(r.image, &r.border);
   BOOST_TEST(find_flipped_faces(r.disc.triangles, r.at).size() == 0u);

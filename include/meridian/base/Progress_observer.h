@@ -2,9 +2,12 @@
 #ifndef MERIDIAN_BASE_PROGRESS_OBSERVER_H
 #define MERIDIAN_BASE_PROGRESS_OBSERVER_H
 
+#include <array>
 #include <functional>
 #include <utility>
 #include <vector>
+
+#include <meridian/base/names.h>
 
 namespace meridian {
 
@@ -29,9 +32,27 @@ enum class Stage
   VERIFY
 };
 
-/// \ingroup PkgMeridianProgress
-/// \returns the name of a stage as it stands in reports
-const char* name_of(Stage stage);
+/// the names of `Stage`.
+template <> struct Names<Stage>
+{
+  static constexpr std::array<Named_value<Stage>, 15> table{{
+    {Stage::EXTREMA, "extrema", "two vertices far apart"},
+    {Stage::FIELD, "field", "the field is solved for"},
+    {Stage::ORDER, "order", "vertices are ordered, and the order simplified"},
+    {Stage::CONTOURS, "contours", "level lines are traced"},
+    {Stage::MERIDIANS, "meridians", "those that cut the handles are chosen"},
+    {Stage::FLOW, "flow", "flow lines are traced"},
+    {Stage::LONGITUDES, "longitudes", "a loop across each meridian is found"},
+    {Stage::TIGHTEN, "tighten", "curves are shortened within their classes"},
+    {Stage::INSERT, "insert", "faces are divided along the curves"},
+    {Stage::CLASSIFY, "classify", "on which side of the surface curves bound"},
+    {Stage::LINKS, "links", "boundaries are joined"},
+    {Stage::SHORTEN, "shorten", "the whole cut graph is shortened"},
+    {Stage::OPEN, "open", "the surface is opened"},
+    {Stage::PARAMETERIZE, "parameterize", "discs are mapped into the plane"},
+    {Stage::VERIFY, "verify", "the result is recounted"},
+  }};
+};
 
 /// \ingroup PkgMeridianProgress
 /// base class of the objects that watch a run. Virtual, so that `override` rejects a misspelt hook.

@@ -2,10 +2,12 @@
 #ifndef MERIDIAN_CURVES_CONTOURS_H
 #define MERIDIAN_CURVES_CONTOURS_H
 
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/surface/Surface_curve.h>
 
+#include <array>
 #include <vector>
 
 namespace meridian {
@@ -75,6 +77,15 @@ enum class Levels
 {
   SADDLE, ///< near the saddle
   TIGHT   ///< where it is shortest between two critical levels
+};
+
+/// the names of `Levels`.
+template <> struct Names<Levels>
+{
+  static constexpr std::array<Named_value<Levels>, 2> table{{
+    {Levels::SADDLE, "saddle", "near their saddle"},
+    {Levels::TIGHT, "tight", "where they are shortest between two critical levels"},
+  }};
 };
 
 /*!

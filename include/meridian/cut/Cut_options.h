@@ -3,6 +3,7 @@
 #define MERIDIAN_CUT_CUT_OPTIONS_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/tighten_curves.h>
@@ -24,6 +25,15 @@ enum class Link_domain
   PLANE    ///< counterimages of segments in a planar embedding, where one exists in double precision
 };
 
+/// the names of `Link_domain`.
+template <> struct Names<Link_domain>
+{
+  static constexpr std::array<Named_value<Link_domain>, 2> table{{
+    {Link_domain::SURFACE, "surface", "shortest paths on the surface"},
+    {Link_domain::PLANE, "plane", "through an embedding in the plane, where one exists"},
+  }};
+};
+
 /// \ingroup PkgMeridianCut
 /// what cuts the handles.
 enum class Cut_method
@@ -36,11 +46,18 @@ enum class Cut_method
   GEOMETRY_IMAGE ///< edges: what is left when faces are removed and keep a disc (Gu, Gortler, Hoppe 2002)
 };
 
-/// \ingroup PkgMeridianCut
-/// all methods, in the order of their declaration.
-inline constexpr std::array<Cut_method, 6> cut_methods{Cut_method::CONTOURS,    Cut_method::GENERATORS,
-                                                       Cut_method::MORSE,       Cut_method::GEODESIC,
-                                                       Cut_method::TREE_COTREE, Cut_method::GEOMETRY_IMAGE};
+/// the names of `Cut_method`.
+template <> struct Names<Cut_method>
+{
+  static constexpr std::array<Named_value<Cut_method>, 6> table{{
+    {Cut_method::CONTOURS, "contours", "a meridian for each handle, a level line"},
+    {Cut_method::GENERATORS, "generators", "a meridian and a longitude for each handle"},
+    {Cut_method::MORSE, "morse", "the descending flow lines of all saddles"},
+    {Cut_method::GEODESIC, "geodesic", "contours of the geodesic distance from a vertex"},
+    {Cut_method::TREE_COTREE, "tree-cotree", "shortest loops of edges at a base point"},
+    {Cut_method::GEOMETRY_IMAGE, "geometry-image", "the edges left when faces are removed"},
+  }};
+};
 
 /// \ingroup PkgMeridianCut
 /// what is made shorter before the surface is opened.
@@ -51,16 +68,15 @@ enum class Tightening
   GRAPH   ///< the whole cut graph: its vertices move, and ways through the disc take the place of longer curves
 };
 
-/// \ingroup PkgMeridianCut
-/// \returns the name of a tightening as it stands in reports
-inline const char* name_of(Tightening t)
+/// the names of `Tightening`.
+template <> struct Names<Tightening>
 {
-  return t == Tightening::NONE ? "no" : t == Tightening::CURVES ? "curves" : "graph";
-}
-
-/// \ingroup PkgMeridianCut
-/// \returns the name of a method as it stands in reports
-const char* name_of(Cut_method method);
+  static constexpr std::array<Named_value<Tightening>, 3> table{{
+    {Tightening::NONE, "no", "curves stay as they were found"},
+    {Tightening::CURVES, "curves", "meridians, each within its class"},
+    {Tightening::GRAPH, "graph", "the whole graph, whose vertices then move and whose paths may change places"},
+  }};
+};
 
 /// \ingroup PkgMeridianCut
 /// what one may choose about a cut. Vertices are those of the surface that is cut.

@@ -2,8 +2,10 @@
 #ifndef MERIDIAN_FIELD_EDGE_WEIGHTS_H
 #define MERIDIAN_FIELD_EDGE_WEIGHTS_H
 
+#include <meridian/base/names.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <array>
 #include <vector>
 
 namespace meridian {
@@ -20,9 +22,18 @@ enum class Weights
   INTRINSIC_DELAUNAY
 };
 
-/// \ingroup PkgMeridianOrder
-/// \returns the name of a discretization as it stands in reports
-const char* name_of(Weights weights);
+/// the names of `Weights`.
+template <> struct Names<Weights>
+{
+  static constexpr std::array<Named_value<Weights>, 4> table{{
+    {Weights::POSITIVE, "positive",
+     "mean-value weights made symmetric; positive, so that a field has no other extrema"},
+    {Weights::MEAN_VALUE, "mean-value", "positive, not symmetric"},
+    {Weights::COTANGENT, "cotangent", "symmetric, negative across obtuse angles"},
+    {Weights::INTRINSIC_DELAUNAY, "intrinsic-delaunay",
+     "cotangents on edges of a triangulation of its own, none negative"},
+  }};
+};
 
 /*!
  * \ingroup PkgMeridianOrder

@@ -3,6 +3,7 @@
 #define MERIDIAN_HANDLES_GENERATORS_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
 #include <meridian/curves/tighten_curves.h>
@@ -11,6 +12,7 @@
 #include <meridian/handles/preference.h>
 #include <meridian/surface/Refined_surface.h>
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -39,9 +41,15 @@ enum class Curve_method
   ARC      ///< a shortest path between the two sides of the meridian
 };
 
-/// \ingroup PkgMeridianGenerators
-/// \returns the name of a method as it stands in reports
-const char* name_of(Curve_method method);
+/// the names of `Curve_method`.
+template <> struct Names<Curve_method>
+{
+  static constexpr std::array<Named_value<Curve_method>, 3> table{{
+    {Curve_method::CONTOUR, "contour", "a level line"},
+    {Curve_method::FLOW, "flow", "flow lines"},
+    {Curve_method::ARC, "arc", "a shortest loop across the meridian"},
+  }};
+};
 
 /// \ingroup PkgMeridianGenerators
 /// on which side of its surface a curve bounds, up to homology (Dey, Li, Sun 2007).
@@ -53,9 +61,16 @@ enum class Loop_class
   UNKNOWN ///< the surface has a boundary, meets itself or has faces without area
 };
 
-/// \ingroup PkgMeridianGenerators
-/// \returns the name of a class as it stands in reports
-const char* name_of(Loop_class c);
+/// the names of `Loop_class`.
+template <> struct Names<Loop_class>
+{
+  static constexpr std::array<Named_value<Loop_class>, 4> table{{
+    {Loop_class::HANDLE, "handle", "bounds inside"},
+    {Loop_class::TUNNEL, "tunnel", "bounds outside"},
+    {Loop_class::NEITHER, "neither", "bounds on neither side"},
+    {Loop_class::UNKNOWN, "unknown", "the surface has no inside"},
+  }};
+};
 
 /// \ingroup PkgMeridianGenerators
 /// a closed curve of a pair.

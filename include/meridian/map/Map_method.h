@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include <meridian/base/names.h>
+
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
@@ -31,22 +33,31 @@ enum class Map_border
   SQUARE
 };
 
-/// \ingroup PkgMeridianParameterization
-/// all methods, the default first.
-constexpr std::array<Map_method, 9> map_methods{
-  Map_method::SYMMETRIC_DIRICHLET, Map_method::POSITIVE, Map_method::STRETCH, Map_method::MEAN_VALUE, Map_method::TUTTE,
-  Map_method::CONFORMAL,           Map_method::AUTHALIC, Map_method::LSCM,    Map_method::ARAP};
-
-/// \ingroup PkgMeridianParameterization
-/// \returns the name of a method as it stands in reports
-const char* name_of(Map_method method);
-
-/// \ingroup PkgMeridianParameterization
-/// \returns the name of a border as it stands in reports
-inline const char* name_of(Map_border border)
+/// the names of `Map_method`.
+template <> struct Names<Map_method>
 {
-  return border == Map_border::FREE ? "free" : border == Map_border::CIRCLE ? "circle" : "square";
-}
+  static constexpr std::array<Named_value<Map_method>, 9> table{{
+    {Map_method::SYMMETRIC_DIRICHLET, "symmetric-dirichlet", "low distortion, one-to-one"},
+    {Map_method::POSITIVE, "positive", "averages with positive weights"},
+    {Map_method::STRETCH, "stretch", "the same, with low stretch"},
+    {Map_method::MEAN_VALUE, "mean-value", "mean value coordinates"},
+    {Map_method::TUTTE, "tutte", "averages with uniform weights"},
+    {Map_method::CONFORMAL, "conformal", "discrete conformal"},
+    {Map_method::AUTHALIC, "authalic", "discrete authalic"},
+    {Map_method::LSCM, "lscm", "least squares conformal, with a free border"},
+    {Map_method::ARAP, "arap", "as rigid as possible, with a free border"},
+  }};
+};
+
+/// the names of `Map_border`.
+template <> struct Names<Map_border>
+{
+  static constexpr std::array<Named_value<Map_border>, 3> table{{
+    {Map_border::FREE, "free", "it moves as the map wants"},
+    {Map_border::CIRCLE, "circle", "on a circle"},
+    {Map_border::SQUARE, "square", "on a square"},
+  }};
+};
 
 } // namespace meridian
 

@@ -2,11 +2,13 @@
 #ifndef MERIDIAN_UNWRAP_COMPARE_PARAMETERIZATIONS_H
 #define MERIDIAN_UNWRAP_COMPARE_PARAMETERIZATIONS_H
 
+#include <meridian/base/names.h>
 #include <meridian/result/discs_of.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/unwrap/compare_maps.h>
 #include <meridian/unwrap/internal/untouched_stars.h>
 
+#include <array>
 #include <vector>
 
 namespace meridian {
@@ -20,9 +22,15 @@ enum class Map_weights
   COTANGENT ///< `Weights::COTANGENT`: discrete harmonic maps (Eck et al. 1995). Faces may be turned over
 };
 
-/// \ingroup PkgMeridianParameterization
-/// \returns the name of the weights of a map as it stands in reports
-const char* name_of(Map_weights weights);
+/// the names of `Map_weights`.
+template <> struct Names<Map_weights>
+{
+  static constexpr std::array<Named_value<Map_weights>, 3> table{{
+    {Map_weights::UNIFORM, "uniform", "all weights are 1"},
+    {Map_weights::POSITIVE, "positive", "mean-value weights made symmetric"},
+    {Map_weights::COTANGENT, "cotangent", "discrete harmonic maps, whose faces may be turned over"},
+  }};
+};
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the weight of each halfedge of a surface, equal on twins

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What one may choose by a word on the command line alone; the library has numbers, functions and flags for it.
+#ifndef MERIDIAN_CHOICES_H
+#define MERIDIAN_CHOICES_H
+
+#include <meridian/base/names.h>
+
+#include <array>
+
+namespace meridian {
+namespace program {
+
+enum class Field_kind
+{
+  HARMONIC,
+  EIGENFUNCTION,
+  DISTANCE
+};
+
+enum class Extrema
+{
+  DISTANT,
+  CURVED
+};
+
+enum class Prefer
+{
+  GAUSSIAN_CURVATURE,
+  MEAN_CURVATURE,
+  LENGTH,
+  POSITION,
+  HIDDEN,
+  WEIGHTS
+};
+
+enum class Basis
+{
+  PAIRS,
+  SHORTEST
+};
+
+enum class Longitudes
+{
+  FLOW,
+  ARC
+};
+
+enum class Boundary_mode
+{
+  CLOSED,
+  OPEN
+};
+
+} // namespace program
+
+template <> struct Names<program::Field_kind>
+{
+  static constexpr std::array<Named_value<program::Field_kind>, 3> table{{
+    {program::Field_kind::HARMONIC, "harmonic", "between two extrema"},
+    {program::Field_kind::EIGENFUNCTION, "eigenfunction", "of the Laplacian"},
+    {program::Field_kind::DISTANCE, "distance", "the geodesic distance from a vertex"},
+  }};
+};
+
+template <> struct Names<program::Extrema>
+{
+  static constexpr std::array<Named_value<program::Extrema>, 2> table{{
+    {program::Extrema::DISTANT, "distant", "two vertices far apart"},
+    {program::Extrema::CURVED, "curved", "extrema of eigenfunctions with the highest curvature"},
+  }};
+};
+
+template <> struct Names<program::Prefer>
+{
+  static constexpr std::array<Named_value<program::Prefer>, 6> table{{
+    {program::Prefer::GAUSSIAN_CURVATURE, "gaussian-curvature", "high at the saddle"},
+    {program::Prefer::MEAN_CURVATURE, "mean-curvature", "high at the saddle"},
+    {program::Prefer::LENGTH, "length", "short"},
+    {program::Prefer::POSITION, "position", "far out in a direction"},
+    {program::Prefer::HIDDEN, "hidden", "hidden from an eye"},
+    {program::Prefer::WEIGHTS, "weights", "through low weights of vertices"},
+  }};
+};
+
+template <> struct Names<program::Basis>
+{
+  static constexpr std::array<Named_value<program::Basis>, 2> table{{
+    {program::Basis::PAIRS, "pairs", "a meridian and a longitude for every handle"},
+    {program::Basis::SHORTEST, "shortest", "short loops that are a basis of homology and may cross"},
+  }};
+};
+
+template <> struct Names<program::Longitudes>
+{
+  static constexpr std::array<Named_value<program::Longitudes>, 2> table{{
+    {program::Longitudes::FLOW, "flow", "of flow lines where these serve"},
+    {program::Longitudes::ARC, "arc", "shortest arcs at once"},
+  }};
+};
+
+template <> struct Names<program::Boundary_mode>
+{
+  static constexpr std::array<Named_value<program::Boundary_mode>, 2> table{{
+    {program::Boundary_mode::CLOSED, "closed", "each boundary loop takes one value of the field"},
+    {program::Boundary_mode::OPEN, "open", "the boundary is free and level lines may end there"},
+  }};
+};
+
+} // namespace meridian
+
+#endif // MERIDIAN_CHOICES_H
