@@ -32,7 +32,8 @@ int main()
 
   const auto characteristic = static_cast<int>(disc.number_of_vertices()) - static_cast<int>(disc.number_of_edges())
                               + static_cast<int>(disc.number_of_faces());
-  std::cout << "genus " << cut.genus << ", " << cut.counts.saddles << " saddles, " << cut.meridians.size()
-            << " meridian, " << cut.links.size() << " link\nthe disc has Euler characteristic " << characteristic
-            << '\n';
+  std::cout << "genus " << cut.genus << ", " << cut.counts.saddles << " saddles, "
+            << curves_of(cut, meridian::Curve_kind::MERIDIAN).size() << " meridian, "
+            << curves_of(cut, meridian::Curve_kind::LINK).size() << " link\nthe disc has Euler characteristic "
+            << characteristic << '\n';
 }

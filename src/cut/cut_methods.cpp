@@ -41,7 +41,6 @@ void cut_along_contours(const Triangle_surface& root, const Ordered_surface& m, 
   run(Stage::MERIDIANS, [&] {
     find_meridians(root, m, cut.genus, options.preference, search, options.levels);
     cut.choices = search.choices;
-    for (const auto& choice : cut.choices) { cut.saddles.push_back(search.candidates[choice.loop].saddle); }
   });
   std::vector<Surface_curve> meridians;
   if (options.tightening != Tightening::NONE)
@@ -63,7 +62,11 @@ void cut_along_contours(const Triangle_surface& root, const Ordered_surface& m, 
     {
       meridians = snap_to_edges(root, meridians, options.refine_where_needed);
     }
-    cut.meridians = insert_curves(root, cut.surface, meridians).vertices;
+    add_curves(cut, Curve_kind::MERIDIAN, insert_curves(root, cut.surface, meridians).vertices);
+    for (std::size_t i = 0; i < cut.choices.size(); ++i)
+    {
+      cut.curves[i].saddle = search.candidates[cut.choices[i].loop].saddle;
+    }
   });
 }
 
@@ -78,7 +81,7 @@ void cut_along_edges(const Triangle_surface& root, const Cut_options& options, c
                                                         [&](double done) { run.progress(Stage::MERIDIANS, done); }));
     }
   });
-  cut.paths = seam_paths(cut.surface);
+  add_curves(cut, Curve_kind::PATH, seam_paths(cut.surface));
 }
 
 std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const Ordered_surface& m,
@@ -97,9 +100,8 @@ std::vector<Link_guide> cut_along_generators(const Triangle_surface& root, const
   std::vector<Index> shared;
   for (const Generator_pair& pair : g.pairs)
   {
-    cut.meridians.push_back(pair.meridian.vertices);
-    cut.longitudes.push_back(pair.longitude.vertices);
-    cut.saddles.push_back(pair.meridian.saddle);
+    cut.curves.push_back({Curve_kind::MERIDIAN, pair.meridian.vertices, true, pair.meridian.saddle});
+    cut.curves.push_back({Curve_kind::LONGITUDE, pair.longitude.vertices, true, -1});
     shared.push_back(pair.meridian.vertices.front());
   }
   cut.surface = std::move(g.surface);
@@ -123,7 +125,7 @@ void cut_along_flow_lines(const Triangle_surface& root, const Ordered_surface& m
     std::vector<Surface_curve> curves;
     for (const Flow_line& line : tracer.lines()) { curves.push_back(line.curve); }
     cut.surface = m.surface;
-    cut.flow_lines = insert_curves(root, cut.surface, curves).vertices;
+    add_curves(cut, Curve_kind::FLOW_LINE, insert_curves(root, cut.surface, curves).vertices);
   });
 }
 

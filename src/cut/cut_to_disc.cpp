@@ -67,20 +67,21 @@ void link(const Triangle_surface& root, const Cut_options& options, std::vector<
   if (options.on_edges && options.tightening != Tightening::GRAPH
       && (cut.genus == 0 || (options.method != Cut_method::GENERATORS && options.method != Cut_method::MORSE)))
   {
-    cut.links = link_boundaries_on_edges(cut.surface, options.links.source);
+    add_curves(cut, Curve_kind::LINK, link_boundaries_on_edges(cut.surface, options.links.source));
     return;
   }
   if (options.link_domain == Link_domain::PLANE)
   {
-    cut.link_note =
-      link_boundaries_in_plane(root, cut.surface, options.links.source, cut.links, options.solvers.symmetric);
+    std::vector<std::vector<Index>> lines;
+    cut.link_note = link_boundaries_in_plane(root, cut.surface, options.links.source, lines, options.solvers.symmetric);
     cut.links_in_plane = cut.link_note.empty();
+    add_curves(cut, Curve_kind::LINK, std::move(lines));
     if (cut.links_in_plane) { return; }
   }
   Link_options links = options.links;
   links.guides = std::move(guides);
   links.progress = [&](double done) { run.progress(Stage::LINKS, done); };
-  cut.links = link_boundaries(root, cut.surface, links);
+  add_curves(cut, Curve_kind::LINK, link_boundaries(root, cut.surface, links));
 }
 
 } // namespace

@@ -31,18 +31,19 @@ void reshape_graph(const Triangle_surface& root, const Cut_options& options, con
     // fast, and a better beginning
     if (shorten) { edges = straighten_edge_cut(root, edges, Path_ends::SLIDE, options.on_edges ? 5 : 3); }
     flag_seam(s, edges);
-    cut.paths = seam_paths(s);
+    std::vector<std::vector<Index>> paths = seam_paths(s);
     if (!options.on_edges)
     {
       Tighten_options tightening = options.tighten_options;
       tightening.progress = [&](double done) { run.progress(Stage::SHORTEN, done); };
-      const auto curves = shorten_cut_graph(root, cut.paths, tightening);
+      const auto curves = shorten_cut_graph(root, paths, tightening);
       s = Refined_surface(root);
-      cut.paths = insert_curves(root, s, curves).vertices;
+      paths = insert_curves(root, s, curves).vertices;
     }
     cut.surface = std::move(s);
+    cut.curves.clear();
+    add_curves(cut, Curve_kind::PATH, std::move(paths));
   });
-  for (auto* curves : {&cut.meridians, &cut.longitudes, &cut.flow_lines, &cut.links}) { curves->clear(); }
 }
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
@@ -71,11 +72,11 @@ std::string format_view(const std::string& title, const Examination& examination
   for (std::size_t i = 0; i < cuts.size(); ++i)
   {
     parts.push_back({examination.components[i].surface, cuts[i].surface, cuts[i].field});
-    for (const auto& m : cuts[i].meridians) { curves.push_back({page::Curve::MERIDIAN, i, m, true, "", {}}); }
-    for (const auto& l : cuts[i].longitudes) { curves.push_back({page::Curve::MERIDIAN, i, l, true, "", {}}); }
-    for (const auto& l : cuts[i].flow_lines) { curves.push_back({page::Curve::MERIDIAN, i, l, false, "", {}}); }
-    for (const auto& l : cuts[i].links) { curves.push_back({page::Curve::OTHER, i, l, false, "", {}}); }
-    for (const auto& p : cuts[i].paths) { curves.push_back({page::Curve::OTHER, i, p, false, "", {}}); }
+    for (const Named_curve& c : cuts[i].curves)
+    {
+      const bool is_other = c.kind == Curve_kind::LINK || c.kind == Curve_kind::PATH;
+      curves.push_back({is_other ? page::Curve::OTHER : page::Curve::MERIDIAN, i, c.vertices, c.is_closed, "", {}});
+    }
     genus += cuts[i].genus;
     loops += cuts[i].boundary_loops;
     length += examination.components[i].unit * cuts[i].length;
@@ -83,7 +84,8 @@ std::string format_view(const std::string& title, const Examination& examination
   std::ostringstream caption;
   caption << cuts.size() << (cuts.size() == 1 ? " component" : " components") << ", genus " << genus << ", " << loops
           << " boundary loops; cut length " << length;
-  const bool has_paths = std::any_of(cuts.begin(), cuts.end(), [](const Cut& cut) { return !cut.paths.empty(); });
+  const bool has_paths =
+    std::any_of(cuts.begin(), cuts.end(), [](const Cut& cut) { return !curves_of(cut, Curve_kind::PATH).empty(); });
   return page::format_page(title, caption.str(), has_paths ? "paths" : "links", parts, curves, assembled);
 }
 
@@ -91,33 +93,34 @@ std::string format_view(const std::string& title, const Examination& examination
 
 std::vector<Result_curve> name_curves(const std::vector<Cut>& cuts, const Assembled_result& assembled)
 {
-  std::vector<Result_curve> meridians, longitudes, lines, links, paths, boundaries;
-  const auto add = [&](std::vector<Result_curve>& curves, const char* kind, const std::vector<Index>& path,
-                       std::size_t component, bool closed) {
-    Result_curve c{kind + ("_" + std::to_string(curves.size())), {}, {}};
+  std::vector<Result_curve> curves;
+  const auto add = [&](const char* kind, int number, const std::vector<Index>& path, std::size_t component,
+                       bool is_closed) {
+    Result_curve c{kind + ("_" + std::to_string(number)), {}, {}};
     for (Index v : path) { c.points.push_back(assembled.place[component][v]); }
-    if (closed) { c.points.push_back(c.points.front()); }
+    if (is_closed) { c.points.push_back(c.points.front()); }
     curves.push_back(std::move(c));
   };
-  for (std::size_t i = 0; i < cuts.size(); ++i)
+  for (const Curve_kind kind : all<Curve_kind>())
   {
-    for (const auto& m : cuts[i].meridians) { add(meridians, "meridian", m, i, true); }
-    for (const auto& l : cuts[i].longitudes) { add(longitudes, "longitude", l, i, true); }
-    for (const auto& l : cuts[i].flow_lines) { add(lines, "flow_line", l, i, false); }
-    for (const auto& l : cuts[i].links) { add(links, "link", l, i, false); }
-    for (const auto& p : cuts[i].paths) { add(paths, "path", p, i, false); }
+    int number = 0;
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+    {
+      for (const Named_curve& c : curves_of(cuts[i], kind))
+      {
+        add(name_of(kind), number++, c.vertices, i, c.is_closed);
+      }
+    }
+  }
+  int number = 0;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
     for (const auto& loop : boundary_loops(cuts[i].surface))
     {
       std::vector<Index> path;
       for (Index h : loop) { path.push_back(cuts[i].surface.source(h)); }
-      add(boundaries, "boundary", path, i, true);
+      add("boundary", number++, path, i, true);
     }
-  }
-  for (const auto* more : {&longitudes, &lines, &links, &paths, &boundaries})
-  {
-    meridians.insert(meridians.end(), more->begin(), more->end());
-  }
-  return meridians;
+  return curves;
 }
 
 void check_cut_arguments(const Cut_arguments& a)

@@ -5,6 +5,7 @@
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Progress_observer.h>
 #include <meridian/base/Verification.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
@@ -12,6 +13,9 @@
 #include <meridian/handles/Generators.h>
 #include <meridian/handles/find_shortest_basis.h>
 #include <meridian/surface/examine_surface.h>
+
+#include <array>
+#include <cstddef>
 
 namespace meridian {
 namespace program {
@@ -79,30 +83,32 @@ Json report_cut(const Cut& cut, const Surface_component& component, const Compon
 {
   Json r = report_counts(component);
   r["field"] = report_field(cut, options);
-  Json meridians = Json::array(), links = Json::array(), paths = Json::array();
-  for (std::size_t i = 0; i < cut.meridians.size(); ++i)
+  std::array<Json, number_of<Curve_kind>> curves;
+  for (Json& of_kind : curves) { of_kind = Json::array(); }
+  for (const Named_curve& c : cut.curves)
   {
-    meridians.push_back({{"length", component.unit * length_of(cut, cut.meridians[i], true)},
-                         {"saddle", component.vertex_of[cut.saddles[i]]}});
-    if (i < cut.choices.size())
+    Json& list = curves[static_cast<std::size_t>(c.kind)];
+    list.push_back({{"length", component.unit * length_of(cut, c.vertices, c.is_closed)}});
+    if (c.kind != Curve_kind::MERIDIAN) { continue; }
+    list.back()["saddle"] = component.vertex_of[c.saddle];
+    if (list.size() <= cut.choices.size())
     {
-      meridians.back()["genus_after"] = cut.choices[i].genus_after;
-      meridians.back()["components_after"] = cut.choices[i].components_after;
+      list.back()["genus_after"] = cut.choices[list.size() - 1].genus_after;
+      list.back()["components_after"] = cut.choices[list.size() - 1].components_after;
     }
   }
-  for (const auto& link : cut.links) { links.push_back({{"length", component.unit * length_of(cut, link, false)}}); }
-  for (const auto& path : cut.paths) { paths.push_back({{"length", component.unit * length_of(cut, path, false)}}); }
+  const auto of_kind = [&](Curve_kind kind) -> const Json& { return curves[static_cast<std::size_t>(kind)]; };
   r["cut"] = {{"method", name_of(options.method)},
               {"edges", cut.opened.seams.size()},
               {"length", component.unit * cut.length},
               {"connected", count.discs == 1},
               {"euler_characteristic", count.disc_euler_characteristic},
               {"boundary_loops", count.disc_boundary_loops},
-              {"meridians", meridians},
-              {"longitudes", cut.longitudes.size()},
-              {"flow_lines", cut.flow_lines.size()},
-              {"links", links},
-              {"paths", paths},
+              {"meridians", of_kind(Curve_kind::MERIDIAN)},
+              {"longitudes", of_kind(Curve_kind::LONGITUDE).size()},
+              {"flow_lines", of_kind(Curve_kind::FLOW_LINE).size()},
+              {"links", of_kind(Curve_kind::LINK)},
+              {"paths", of_kind(Curve_kind::PATH)},
               {"tightening", name_of(options.tightening)},
               {"length_found", component.unit * cut.length_found},
               {"on_edges", options.on_edges},

@@ -20,9 +20,8 @@ void extend_cut(const Triangle_surface& root, Cut& cut, Index vertex, bool on_ed
 {
   Link_options options;
   options.source = vertex;
-  const auto links =
-    on_edges ? link_boundaries_on_edges(cut.surface, vertex) : link_boundaries(root, cut.surface, options);
-  cut.links.insert(cut.links.end(), links.begin(), links.end());
+  add_curves(cut, Curve_kind::LINK,
+             on_edges ? link_boundaries_on_edges(cut.surface, vertex) : link_boundaries(root, cut.surface, options));
   open_cut(cut);
 }
 

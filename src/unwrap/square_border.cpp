@@ -73,14 +73,7 @@ Square_border prepare_square_border(const Triangle_surface& root, Cut& cut, int 
   const int first_corner = internal::choose_corners(disc, border, size);
 
   const auto divided = internal::divide_at_corners(root, cut.surface, border, first_corner, size);
-  for (auto* curves : {&cut.meridians, &cut.longitudes})
-  {
-    for (auto& curve : *curves) { internal::insert_into_curve(divided, curve, true); }
-  }
-  for (auto* curves : {&cut.flow_lines, &cut.links, &cut.paths})
-  {
-    for (auto& curve : *curves) { internal::insert_into_curve(divided, curve, false); }
-  }
+  for (Named_curve& curve : cut.curves) { internal::insert_into_curve(divided, curve.vertices, curve.is_closed); }
   cut.opened = open_along(cut.surface);
 
   disc = surface_of(cut.surface, cut.opened);

@@ -45,7 +45,7 @@ void check_is_disc(const Triangle_surface& s, const Cut& cut)
   const Verification recount = verify_cut(s, cut);
   BOOST_TEST(static_cast<bool>(recount));
   for (const auto& failure : recount.failures) { BOOST_ERROR(failure); }
-  BOOST_TEST(cut.meridians.size() == static_cast<std::size_t>(cut.genus));
+  BOOST_TEST(curves_of(cut, Curve_kind::MERIDIAN).size() == static_cast<std::size_t>(cut.genus));
 }
 
 // Turns along a closed curve, in radians: 2 pi for a convex plane curve.
@@ -315,7 +315,10 @@ BOOST_AUTO_TEST_CASE(every_option_gives_a_disc)
   o.links.source = 200;
   const auto cut = check(o);
   bool passes = false;
-  for (const auto& link : cut.links) { passes = passes || std::count(link.begin(), link.end(), 200) > 0; }
+  for (const Named_curve& link : curves_of(cut, Curve_kind::LINK))
+  {
+    passes = passes || std::count(link.vertices.begin(), link.vertices.end(), 200) > 0;
+  }
   BOOST_TEST(passes);
 }
 
@@ -334,8 +337,10 @@ BOOST_DATA_TEST_CASE(links_through_the_plane_give_a_disc, data::xrange(4), genus
     const Cut& cut = run.cuts.front();
     BOOST_TEST(cut.links_in_plane == (cut.genus > 0 || cut.boundary_loops > 0));
     bool passes = (cut.genus == 0 && cut.boundary_loops == 0) || s.is_boundary_vertex(11);
-    for (const auto* curves : {&cut.links, &cut.meridians})
-      for (const auto& c : *curves) { passes = passes || std::count(c.begin(), c.end(), 11) > 0; }
+    for (const Named_curve& c : cut.curves)
+    {
+      passes = passes || std::count(c.vertices.begin(), c.vertices.end(), 11) > 0;
+    }
     BOOST_TEST(passes);
   }
 }
@@ -377,9 +382,9 @@ BOOST_AUTO_TEST_CASE(a_source_on_a_sphere_is_reached_from_everywhere)
       const auto run = pipeline::run(sample::soup(sample::noisy(sample::sphere(levels), 0.1, 4)), false, o);
       for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
       bool passes = false;
-      for (const auto& link : run.cuts.front().links)
+      for (const Named_curve& link : curves_of(run.cuts.front(), Curve_kind::LINK))
       {
-        passes = passes || std::count(link.begin(), link.end(), v) > 0;
+        passes = passes || std::count(link.vertices.begin(), link.vertices.end(), v) > 0;
       }
       BOOST_TEST(passes);
     }
@@ -408,8 +413,8 @@ BOOST_DATA_TEST_CASE(renumbering_scaling_and_mirroring_keep_the_cut, data::xrang
       const auto c = pipeline::cut(other);
       BOOST_TEST(c.genus == cut.genus);
       BOOST_TEST(c.boundary_loops == cut.boundary_loops);
-      BOOST_TEST(c.meridians.size() == cut.meridians.size());
-      BOOST_TEST(c.links.size() == cut.links.size());
+      BOOST_TEST(curves_of(c, Curve_kind::MERIDIAN).size() == curves_of(cut, Curve_kind::MERIDIAN).size());
+      BOOST_TEST(curves_of(c, Curve_kind::LINK).size() == curves_of(cut, Curve_kind::LINK).size());
       if (cut.length > 0) { BOOST_TEST(c.length == cut.length * scale, boost::test_tools::tolerance(1e-6)); }
       check_is_disc(other, c);
     };
@@ -420,7 +425,7 @@ BOOST_DATA_TEST_CASE(renumbering_scaling_and_mirroring_keep_the_cut, data::xrang
     const auto fine = pipeline::cut(sample::subdivided(s));
     BOOST_TEST(fine.genus == cut.genus);
     BOOST_TEST(fine.boundary_loops == cut.boundary_loops);
-    BOOST_TEST(fine.meridians.size() == cut.meridians.size());
+    BOOST_TEST(curves_of(fine, Curve_kind::MERIDIAN).size() == curves_of(cut, Curve_kind::MERIDIAN).size());
     if (cut.length > 0) { BOOST_TEST(fine.length == cut.length, boost::test_tools::tolerance(0.15)); }
   }
 }
@@ -445,11 +450,11 @@ BOOST_DATA_TEST_CASE(a_handle_behind_a_long_tube_is_cut_smoothly, data::make({20
   const auto cut = pipeline::cut(s, o);
   check_is_disc(s, cut);
   BOOST_TEST(cut.counts.saddles == 4);
-  BOOST_REQUIRE(cut.meridians.size() == 2u);
+  BOOST_REQUIRE(curves_of(cut, Curve_kind::MERIDIAN).size() == 2u);
   if (tube >= 60) { BOOST_TEST(cut.flat_regions > 0); }
   double near = 0, far = 0;
-  for (const auto& curve : cut.meridians)
-    (cut.surface.points[curve.front()][0] > 8 + tube / 2 ? far : near) = total_turning(cut, curve);
+  for (const Named_curve& curve : curves_of(cut, Curve_kind::MERIDIAN))
+    (cut.surface.points[curve.vertices.front()][0] > 8 + tube / 2 ? far : near) = total_turning(cut, curve.vertices);
   BOOST_TEST_MESSAGE("tube " << tube << ": turning " << near << " at the near end, " << far << " at the far end");
   BOOST_REQUIRE((near > 0 && far > 0));
   BOOST_TEST(near < 1.6 * 2 * sample::pi); // contours near a saddle have a corner
@@ -564,7 +569,7 @@ template <class Enum> void check_names()
     const std::string name = name_of(value);
     BOOST_TEST(names.insert(name).second, name);
     BOOST_TEST(!name.empty());
-    BOOST_TEST(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos, name);
+    BOOST_TEST(name.find_first_not_of("abcdefghijklmnopqrstuvwxyz-_") == std::string::npos, name);
     BOOST_REQUIRE(from_name<Enum>(name).has_value());
     BOOST_TEST((from_name<Enum>(name).value() == value), name);
     BOOST_TEST(!from_name<Enum>(name + "x").has_value());
@@ -586,6 +591,7 @@ BOOST_AUTO_TEST_CASE(names_are_different_and_lead_back_to_their_values)
   check_names<Generator_join>();
   check_names<Curve_method>();
   check_names<Loop_class>();
+  check_names<Curve_kind>();
   check_names<Map_method>();
   check_names<Map_border>();
 }

@@ -44,7 +44,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_cut_into_a_disc, TriangleMesh, Mesh_type
   Cut_options options;
   options.preference = preference::short_length;
   const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options));
-  BOOST_TEST(cut.meridians.size() == 2u);
+  BOOST_TEST(curves_of(cut, Curve_kind::MERIDIAN).size() == 2u);
   BOOST_TEST(CGAL::is_valid_polygon_mesh(disc));
   const auto edges_of_disc = static_cast<int>(std::distance(edges(disc).first, edges(disc).second));
   BOOST_TEST(static_cast<int>(num_vertices(disc)) - edges_of_disc + static_cast<int>(num_faces(disc)) == 1);
@@ -141,9 +141,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(maps_give_fields_and_weights, TriangleMesh, Mesh_t
                                  parameters::cut_options(options)
                                    .field_map(boost::make_assoc_property_map(height))
                                    .vertex_weight_map(boost::make_assoc_property_map(weight)));
-    for (Index v : cut.meridians.front())
+    const std::vector<Index> meridian = curves_of(cut, Curve_kind::MERIDIAN).front().vertices;
+    for (Index v : meridian)
     {
-      BOOST_TEST(std::abs(cut.surface.points[v][0] - cut.surface.points[cut.meridians.front().front()][0]) < 0.2);
+      BOOST_TEST(std::abs(cut.surface.points[v][0] - cut.surface.points[meridian.front()][0]) < 0.2);
       BOOST_TEST(sign * cut.surface.points[v][1] < 0); // where the weight is low
     }
   }

@@ -27,6 +27,9 @@
 #include <meridian/surface/visibility.h>
 #include <meridian/unwrap/cut_family.h>
 
+#include <set>
+#include <vector>
+
 namespace data = boost::unit_test::data;
 using namespace meridian;
 
@@ -85,7 +88,7 @@ BOOST_DATA_TEST_CASE(any_field_gives_a_disc, data::xrange(1, 4) * data::xrange(6
     o.method = Cut_method::CONTOURS;
     auto cut = check_cut(s, o);
     BOOST_TEST(cut.counts.saddles == 2 * genus + cut.counts.minima + cut.counts.maxima - 2);
-    BOOST_TEST(cut.meridians.size() == static_cast<std::size_t>(genus));
+    BOOST_TEST(curves_of(cut, Curve_kind::MERIDIAN).size() == static_cast<std::size_t>(genus));
     o.minima = {9}; // the same field with extrema where they are wanted
     o.maxima = {s.number_of_vertices() - 5};
     cut = check_cut(s, o);
@@ -119,7 +122,8 @@ BOOST_AUTO_TEST_CASE(meridians_of_the_height_are_level)
     o.tightening = Tightening::NONE;
     const auto cut = check_cut(s, o);
     double low = 1e300, high = -1e300;
-    for (Index v : cut.meridians.front())
+    const Named_curve meridian = curves_of(cut, Curve_kind::MERIDIAN).front();
+    for (Index v : meridian.vertices)
     {
       low = std::min(low, cut.surface.points[v][axis]);
       high = std::max(high, cut.surface.points[v][axis]);
@@ -222,9 +226,9 @@ BOOST_AUTO_TEST_CASE(meridians_keep_to_low_weights)
   for (const Point& p : s.points) { weight.push_back(p[1]); }
   const auto mean = [&](const Cut& cut) {
     double sum = 0, n = 0;
-    for (const auto& m : cut.meridians)
+    for (const Named_curve& m : curves_of(cut, Curve_kind::MERIDIAN))
     {
-      for (Index v : m)
+      for (Index v : m.vertices)
       {
         sum += cut.surface.points[v][1];
         ++n;
@@ -276,6 +280,34 @@ BOOST_AUTO_TEST_CASE(what_an_eye_sees)
 }
 
 // Every method with every tightening, on edges and off them.
+namespace {
+
+// Theorem: a cut graph is its curves. Each runs along seam edges, closed or not as it says; together they run along all.
+void check_curves(const Cut& cut)
+{
+  const Refined_surface& s = cut.surface;
+  std::set<Index> passed, seams;
+  for (const Named_curve& c : cut.curves)
+  {
+    BOOST_TEST(c.is_closed == (c.kind == Curve_kind::MERIDIAN || c.kind == Curve_kind::LONGITUDE));
+    for (Index v : c.vertices) { BOOST_REQUIRE((v >= 0 && v < s.number_of_vertices())); }
+    for (std::size_t i = 0; i + (c.is_closed ? 0 : 1) < c.vertices.size(); ++i)
+    {
+      const Index h = s.find_halfedge(c.vertices[i], c.vertices[(i + 1) % c.vertices.size()]);
+      BOOST_REQUIRE(h >= 0);
+      passed.insert(s.edge(h));
+    }
+    if (c.kind == Curve_kind::MERIDIAN) { BOOST_TEST((c.saddle >= 0 && c.saddle < s.number_of_vertices())); }
+  }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.seam[h]) { seams.insert(s.edge(h)); }
+  }
+  BOOST_TEST(passed == seams, boost::test_tools::per_element());
+}
+
+} // namespace
+
 BOOST_DATA_TEST_CASE(every_method_gives_a_disc, data::xrange(number_of<Cut_method>) * data::xrange(0, 4), method, genus)
 {
   for (const auto& s : {sample::noisy(sample::plate(genus, 4), 0.08, 3), holed_plate(genus)})
@@ -288,6 +320,7 @@ BOOST_DATA_TEST_CASE(every_method_gives_a_disc, data::xrange(number_of<Cut_metho
         o.on_edges = on_edges;
         o.bases = 3;
         const auto cut = check_cut(s, o);
+        check_curves(cut);
         if (on_edges && genus > 0) { BOOST_TEST(cut.surface.origins.empty()); }
         if (t == Tightening::GRAPH && !on_edges) { BOOST_TEST(cut.length <= cut.length_found * 1.05); }
       }

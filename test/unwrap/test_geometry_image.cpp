@@ -194,8 +194,8 @@ BOOST_DATA_TEST_CASE(dividing_edges_keeps_the_cut, data::make(samples()), s)
       BOOST_TEST((h >= 0 && t.seam[h]));
     }
   };
-  for (const auto& curve : r.cut.meridians) { check(curve, true); }
-  for (const auto& curve : r.cut.links) { check(curve, false); }
+  BOOST_TEST(r.cut.curves.size() == before.curves.size());
+  for (const Named_curve& curve : r.cut.curves) { check(curve.vertices, curve.is_closed); }
 }
 
 BOOST_AUTO_TEST_CASE(curves_pass_new_vertices_in_order)

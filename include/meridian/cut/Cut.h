@@ -3,31 +3,60 @@
 #define MERIDIAN_CUT_CUT_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/Field.h>
 #include <meridian/handles/select_meridians.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/open_along.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianCut
+/// what a curve of a cut graph is.
+enum class Curve_kind
+{
+  MERIDIAN,  ///< closed, around a handle
+  LONGITUDE, ///< closed, along it
+  FLOW_LINE, ///< of a field, from a saddle down
+  LINK,      ///< between boundaries
+  PATH       ///< of the graph, where its curves are none of these: with methods that cut edges and `Tightening::GRAPH`
+};
+
+/// the names of `Curve_kind`.
+template <> struct Names<Curve_kind>
+{
+  static constexpr std::array<Named_value<Curve_kind>, 5> table{{
+    {Curve_kind::MERIDIAN, "meridian", "closed, around a handle"},
+    {Curve_kind::LONGITUDE, "longitude", "closed, along a handle"},
+    {Curve_kind::FLOW_LINE, "flow_line", "of a field, from a saddle down"},
+    {Curve_kind::LINK, "link", "between boundaries"},
+    {Curve_kind::PATH, "path", "a path of the cut graph"},
+  }};
+};
+
+/// \ingroup PkgMeridianCut
+/// a curve of a cut graph.
+struct Named_curve
+{
+  Curve_kind kind;
+  std::vector<Index> vertices; ///< of the refined surface, along edges
+  bool is_closed = false;      ///< whether an edge leads from the last vertex to the first
+  Index saddle = -1;           ///< of a meridian: a vertex of the saddle that it belongs to
+};
+
+/// \ingroup PkgMeridianCut
 /// a cut graph of one connected surface, and what was counted on the way.
 struct Cut : Field_summary
 {
-  Refined_surface surface;                    ///< the input, refined; the cut graph is its seam
-  Opened_surface opened;                      ///< the disc
-  std::vector<std::vector<Index>> meridians;  ///< closed, as vertices of `surface`, the most preferred first
-  std::vector<std::vector<Index>> longitudes; ///< closed, of the same handles; with `Cut_method::GENERATORS`
-  std::vector<std::vector<Index>> flow_lines; ///< open; with `Cut_method::MORSE`
-  std::vector<std::vector<Index>> links;      ///< open, as vertices of `surface`
-  /// open: the graph's paths, where they are none of these: with methods that cut edges and with `Tightening::GRAPH`
-  std::vector<std::vector<Index>> paths;
+  Refined_surface surface;              ///< the input, refined; the cut graph is its seam
+  Opened_surface opened;                ///< the disc
+  std::vector<Named_curve> curves;      ///< that the cut graph is made of; of one kind, the most preferred first
   std::vector<Meridian_choice> choices; ///< the count after each meridian
-  std::vector<Index> saddles;           ///< for each meridian, a vertex of its saddle
   int genus = 0, boundary_loops = 0;
   bool links_in_plane = false;
   std::string link_note;   ///< why links were not taken through the plane, if asked for
@@ -36,6 +65,14 @@ struct Cut : Field_summary
   double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
   Stage_times seconds;
 };
+
+/// \ingroup PkgMeridianCut
+/// \returns the curves of one kind, in order
+std::vector<Named_curve> curves_of(const Cut& cut, Curve_kind kind);
+
+/// \ingroup PkgMeridianCut
+/// appends curves of one kind; meridians and longitudes are closed.
+void add_curves(Cut& cut, Curve_kind kind, std::vector<std::vector<Index>> lines);
 
 } // namespace meridian
 
