@@ -28,11 +28,6 @@ namespace internal {
 
 namespace {
 
-bool is_of_edges(const Cut_options& options)
-{
-  return options.method == Cut_method::TREE_COTREE || options.method == Cut_method::GEOMETRY_IMAGE;
-}
-
 // Cuts all handles along curves of a field. Returns guides for the links.
 std::vector<Link_guide> cut_handles(const Triangle_surface& root, const Cut_options& options, const Stage_runner& run,
                                     Cut& cut)
@@ -63,7 +58,7 @@ std::vector<Link_guide> cut_handles(const Triangle_surface& root, const Cut_opti
 void link(const Triangle_surface& root, const Cut_options& options, std::vector<Link_guide> guides,
           const Stage_runner& run, Cut& cut)
 {
-  if (is_of_edges(options)) { return; }
+  if (cuts_edges(options.method)) { return; }
   if (options.on_edges && options.tightening != Tightening::GRAPH
       && (cut.genus == 0 || (options.method != Cut_method::GENERATORS && options.method != Cut_method::MORSE)))
   {
@@ -90,6 +85,7 @@ void link(const Triangle_surface& root, const Cut_options& options, std::vector<
 
 Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options)
 {
+  check(root, options);
   Cut cut;
   const internal::Stage_runner run{options.observer, cut.seconds};
   cut.boundary_loops = static_cast<int>(boundary_loops(root).size());
@@ -98,7 +94,7 @@ Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options)
   cut.smallest_angle_before = smallest_angle(root);
   cut.surface = Refined_surface(root);
 
-  const bool is_disc = cut.genus == 0 && cut.boundary_loops == 1, is_of_edges = internal::is_of_edges(options);
+  const bool is_disc = cut.genus == 0 && cut.boundary_loops == 1, is_of_edges = cuts_edges(options.method);
   std::vector<Link_guide> guides;
   if (is_of_edges && !is_disc) { internal::cut_along_edges(root, options, run, cut); }
   if (cut.genus > 0 && !is_of_edges) { guides = internal::cut_handles(root, options, run, cut); }

@@ -7,6 +7,7 @@
 #include <meridian/field/edge_weights.h>
 #include <meridian/field/intrinsic_delaunay.h>
 #include <meridian/field/solve_harmonic_field.h>
+#include <meridian/surface/check_surface.h>
 #include <meridian/surface/measures.h>
 
 #include <algorithm>
@@ -48,14 +49,7 @@ namespace internal {
 Scalar_field field_of_values(const Triangle_surface& root, const Refined_surface& s, const Closed_model& g,
                              const std::vector<double>& values)
 {
-  if (static_cast<Index>(values.size()) != root.number_of_vertices())
-    throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for "
-                              + std::to_string(root.number_of_vertices()) + " vertices; it needs one a vertex");
-  const auto bad = std::find_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); });
-  if (bad != values.end())
-  {
-    throw Invalid_input_error("the field is not finite at vertex " + std::to_string(bad - values.begin()));
-  }
+  check_values(root, values, "the field");
   Scalar_field field(g.number_of_nodes);
   std::vector<int> count(g.number_of_nodes, 0);
   for (Index v = 0; v < s.number_of_vertices(); ++v)
@@ -96,6 +90,7 @@ void keep_one_maximum(const Ordered_surface& m, std::vector<Index>& minima, std:
 
 Ordered_surface order_surface(const Triangle_surface& root, const Field_options& options, const Run_stage& run)
 {
+  check(root, options);
   Ordered_surface m;
   std::vector<Dirichlet_value> prescribed;
   std::vector<Index> minima, maxima;
@@ -121,10 +116,6 @@ Ordered_surface order_surface(const Triangle_surface& root, const Field_options&
           "a minimum and a maximum of the field lie on "
           + std::string(m.graph.is_loop(a) ? "one boundary loop, which is one place of the field" : "the same vertex")
           + " (vertex " + std::to_string(m.graph.representative[a]) + "); choose them apart");
-    if (minima.empty() != maxima.empty())
-    {
-      throw Invalid_input_error("minima and maxima of a field go together; give both or neither");
-    }
     for (Index a : minima) { prescribed.push_back({a, 0}); }
     for (Index a : maxima) { prescribed.push_back({a, 1}); }
   });

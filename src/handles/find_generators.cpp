@@ -23,6 +23,7 @@
 #include <meridian/handles/preference.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/check_surface.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/root_edges.h>
@@ -120,7 +121,8 @@ public:
 
   void add_meridians()
   {
-    find_meridians(whole(), m_ordered, genus(), m_options.preference, m_meridians, m_options.levels);
+    find_meridians(whole(), m_ordered, genus(), m_options.preference, m_meridians, m_options.levels,
+                   whole().number_of_vertices() - m_root.number_of_vertices());
     add_contours(
       m_filled ? project_from_filled(m_root, *m_filled, m_ordered, m_meridians.chosen(), m_result.arcs, m_result.loops)
                : project_crossings(m_root, m_ordered, m_meridians.chosen()),
@@ -267,6 +269,8 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
 
 Generators find_generators(const Triangle_surface& root, const Generator_options& options)
 {
+  check_surface(root);
+  check(root, options);
   Generators g;
   const internal::Stage_runner run{options.observer, g.seconds};
   g.boundary_loops = static_cast<int>(boundary_loops(root).size());

@@ -57,14 +57,20 @@ double average_along(const Triangle_surface& root, const Ordered_surface& m, con
 } // namespace internal
 
 void find_meridians(const Triangle_surface& root, const Ordered_surface& m, int genus, const Preference& preference,
-                    Meridian_search& search, Levels levels)
+                    Meridian_search& search, Levels levels, Index filled_holes)
 {
+  const auto average = [&](const Contour& loop, const std::vector<double>& values) {
+    const Index wanted = root.number_of_vertices() - filled_holes;
+    if (static_cast<Index>(values.size()) != wanted)
+      throw Invalid_input_error("a preference has " + std::to_string(values.size()) + " weights for "
+                                + std::to_string(wanted) + " vertices; it needs one a vertex");
+    return internal::average_along(root, m, loop, values);
+  };
   for (const Contour& loop : search.loops)
   {
     const Index v = root_vertex(root, m.surface, loop.saddle);
-    search.candidates.push_back(
-      {v, root.points[v], curvature(root, v), length(m, loop), loop.is_longer,
-       [&](const std::vector<double>& values) { return internal::average_along(root, m, loop, values); }});
+    search.candidates.push_back({v, root.points[v], curvature(root, v), length(m, loop), loop.is_longer,
+                                 [&](const std::vector<double>& values) { return average(loop, values); }});
   }
   search.choices = select_meridians(m, search.loops, rank_by_preference(search.candidates, preference));
   for (Loop_candidate& c : search.candidates) { c.average = nullptr; } // it looks at a loop that may be moved below

@@ -15,6 +15,7 @@
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Surface_curve.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/check_surface.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/root_edges.h>
@@ -254,6 +255,7 @@ void insert_loops(const Triangle_surface& root, const std::vector<Dual_loop>& lo
 
 Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_options& options)
 {
+  check_surface(root);
   Homology_basis basis;
   const internal::Stage_runner run{options.observer, basis.seconds};
   basis.boundary_loops = static_cast<int>(boundary_loops(root).size());

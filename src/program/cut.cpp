@@ -39,26 +39,35 @@ double since(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// The options for one component.
-Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::size_t place)
+// What is chosen whatever the mesh is.
+Cut_options choices_of(const Cut_arguments& a)
 {
-  const Surface_component& c = loaded.examination.components[place];
   Cut_options o;
-  set_field_options(a, loaded, place, o, o.preference, o.levels);
   o.method = a.method;
   o.join = a.join;
   o.tightening = a.tighten;
+  o.weights = a.weights;
+  o.levels = a.levels;
   o.on_edges = a.on_edges;
   o.refine_where_needed = a.refine_where_needed;
   o.bases = a.bases;
   o.link_domain = a.links;
   o.links.bifurcations = a.bifurcations;
+  return o;
+}
+
+// The options for one component.
+Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::size_t place)
+{
+  const Surface_component& c = loaded.examination.components[place];
+  Cut_options o = choices_of(a);
+  set_field_options(a, loaded, place, o, o.preference, o.levels);
   const auto local = [&](bool is_given, Index v) {
     const auto found = is_given ? find_local({v}, c) : std::vector<Index>();
     return found.empty() ? -1 : found.front();
   };
   o.links.source = local(a.has_source, a.source);
-  o.source = local(a.has_from, a.from);
+  o.source = local(a.has_from && a.field != Field_kind::DISTANCE, a.from);
   return o;
 }
 
@@ -129,37 +138,30 @@ void check_cut_arguments(const Cut_arguments& a)
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Usage_error(message); }
   };
-  const bool is_of_edges = a.method == Cut_method::TREE_COTREE || a.method == Cut_method::GEOMETRY_IMAGE,
-             has_field = !a.values.empty() || a.field != Field_kind::HARMONIC;
+  Cut_options choices = choices_of(a);
+  choices.minima = a.minima;
+  choices.maxima = a.maxima;
+  if (!a.values.empty() || a.field != Field_kind::HARMONIC) { choices.values = {0}; } // there will be some
+  if (a.has_source) { choices.links.source = a.source; }
+  if (a.has_from && a.field != Field_kind::DISTANCE) { choices.source = a.from; }
+  try
+  {
+    check(choices);
+  }
+  catch (const Invalid_input_error& e)
+  {
+    throw Usage_error(e.what());
+  }
+  const bool has_meridians = !cuts_edges(a.method) && a.method != Cut_method::MORSE,
+             is_harmonic = !cuts_edges(a.method) && a.method != Cut_method::GEODESIC;
   forbid((a.method != Cut_method::CONTOURS && a.method != Cut_method::GEODESIC) && a.links == Link_domain::PLANE,
          "--links plane goes with --method contours or geodesic");
-  forbid(a.method != Cut_method::GENERATORS && a.join != Generator_join::SURFACE,
-         "--join goes with --method generators");
-  forbid(a.links == Link_domain::PLANE && (a.bifurcations || a.on_edges),
-         "--links plane goes without --bifurcations and --on-edges");
-  forbid(a.refine_where_needed && !a.on_edges, "--refine-where-needed goes with --on-edges");
-  forbid(a.refine_where_needed && a.tighten == Tightening::GRAPH, "--refine-where-needed goes without --tighten graph");
-  forbid((is_of_edges || a.method == Cut_method::GEODESIC) && has_field,
-         "this --method has a field of its own or none; leave out --field and --values");
-  forbid(a.has_from && a.method != Cut_method::GEODESIC && a.method != Cut_method::TREE_COTREE
-           && a.field != Field_kind::DISTANCE,
-         "--from goes with --method geodesic or tree-cotree, or with --field distance");
-  const bool has_meridian_choice = a.prefer != Prefer::GAUSSIAN_CURVATURE || a.levels != Levels::SADDLE,
-             has_field_choice = a.weights != Weights::POSITIVE || a.has_extrema;
-  forbid(is_of_edges
-           && (!a.minima.empty() || !a.maxima.empty() || a.has_source || a.bifurcations || has_field_choice
-               || has_meridian_choice),
-         "methods that cut edges have no field, no meridians and no links");
-  forbid(a.method == Cut_method::GEODESIC && has_field_choice,
-         "--method geodesic has a field of its own; leave out --weights and --extrema");
-  forbid(a.method == Cut_method::MORSE && has_meridian_choice,
-         "--method morse cuts the lines of all saddles; leave out --prefer and --levels");
+  forbid(!has_meridians && (a.prefer != Prefer::GAUSSIAN_CURVATURE || a.levels != Levels::SADDLE),
+         "this --method has no meridians to choose; leave out --prefer and --levels");
+  forbid(!is_harmonic && (a.weights != Weights::POSITIVE || a.has_extrema),
+         "this --method has a field of its own or none; leave out --weights and --extrema");
   forbid(a.has_bases && (a.method != Cut_method::TREE_COTREE || a.has_from),
          "--bases goes with --method tree-cotree, and without --from");
-  forbid(a.has_source && a.on_edges && (a.method == Cut_method::GENERATORS || a.method == Cut_method::MORSE),
-         "--source goes without --on-edges with this --method");
-  forbid(a.has_source && a.tighten == Tightening::GRAPH,
-         "--source goes without --tighten graph, which would move the links away from it");
 }
 
 std::vector<Cut_options> cut_options(const Cut_arguments& arguments, const Loaded_mesh& loaded, Terminal& terminal)

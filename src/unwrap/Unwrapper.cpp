@@ -111,8 +111,7 @@ void Unwrapper::search_family()
 
 void Unwrapper::vary_links()
 {
-  const bool has_links = m_chosen.method != Cut_method::TREE_COTREE && m_chosen.method != Cut_method::GEOMETRY_IMAGE
-                         && m_chosen.tightening != Tightening::GRAPH;
+  const bool has_links = !cuts_edges(m_chosen.method) && m_chosen.tightening != Tightening::GRAPH;
   for (bool goes_on = true; goes_on && static_cast<int>(m_best.variations.size()) < m_options.extensions;)
   {
     goes_on = false;

@@ -65,7 +65,7 @@ namespace {
 
 std::string name_contours(Cut_options& o, const std::string& name)
 {
-  o.method = Cut_method::CONTOURS;
+  o = with_method(std::move(o), Cut_method::CONTOURS);
   return name;
 }
 
@@ -109,12 +109,12 @@ std::string Cut_family::choose(int i, Cut_options& o)
   {
   case 0: return "as chosen";
   case 1: choose_short_and_tight(o); return name_contours(o, "harmonic, short and tight");
-  case 2: o.method = Cut_method::TREE_COTREE; return "tree-cotree";
-  case 3: o.method = Cut_method::GEODESIC; return "geodesic";
-  case 4: o.method = Cut_method::GEOMETRY_IMAGE; return "geometry-image";
+  case 2: o = with_method(std::move(o), Cut_method::TREE_COTREE); return "tree-cotree";
+  case 3: o = with_method(std::move(o), Cut_method::GEODESIC); return "geodesic";
+  case 4: o = with_method(std::move(o), Cut_method::GEOMETRY_IMAGE); return "geometry-image";
   case 5: return choose_eigenfunction(m_root, genus_of(m_root) + 1, o);
-  case 6: o.method = Cut_method::GENERATORS; return "generators";
-  case 7: o.method = Cut_method::MORSE; return "morse";
+  case 6: o = with_method(std::move(o), Cut_method::GENERATORS); return "generators";
+  case 7: o = with_method(std::move(o), Cut_method::MORSE); return "morse";
   case 8:
   {
     const auto [a, b] = find_curved_vertices(m_root);

@@ -19,6 +19,7 @@
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/handles/Generators.h>
+#include <meridian/handles/find_generators.h>
 #include <meridian/handles/find_meridians.h>
 #include <meridian/handles/internal/tree_cotree.h>
 #include <meridian/handles/preference.h>
@@ -32,8 +33,10 @@
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/open_along.h>
 
+#include <functional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace data = boost::unit_test::data;
 using namespace meridian;
@@ -594,4 +597,179 @@ BOOST_AUTO_TEST_CASE(names_are_different_and_lead_back_to_their_values)
   check_names<Curve_kind>();
   check_names<Map_method>();
   check_names<Map_border>();
+}
+
+namespace {
+
+std::string refusal(const std::function<void()>& run)
+{
+  try
+  {
+    run();
+  }
+  catch (const Invalid_input_error& e)
+  {
+    return e.what();
+  }
+  return "";
+}
+
+// Choices, one of which another would leave without effect.
+std::vector<std::function<void(Cut_options&)>> wrong_choices()
+{
+  return {[](Cut_options& o) { o.join = Generator_join::COMPLEX; },
+          [](Cut_options& o) {
+            o.link_domain = Link_domain::PLANE;
+            o.links.bifurcations = true;
+          },
+          [](Cut_options& o) {
+            o.link_domain = Link_domain::PLANE;
+            o.on_edges = true;
+          },
+          [](Cut_options& o) { o.refine_where_needed = true; },
+          [](Cut_options& o) {
+            o.on_edges = o.refine_where_needed = true;
+            o.tightening = Tightening::GRAPH;
+          },
+          [](Cut_options& o) { o.source = 3; },
+          [](Cut_options& o) { o.bases = 0; },
+          [](Cut_options& o) {
+            o.method = Cut_method::GEODESIC;
+            o.values.assign(100, 1);
+          },
+          [](Cut_options& o) {
+            o.method = Cut_method::TREE_COTREE;
+            o.links.bifurcations = true;
+          },
+          [](Cut_options& o) {
+            o.method = Cut_method::GEOMETRY_IMAGE;
+            o.levels = Levels::TIGHT;
+          },
+          [](Cut_options& o) {
+            o.method = Cut_method::GEOMETRY_IMAGE;
+            o.minima = {0};
+            o.maxima = {1};
+          },
+          [](Cut_options& o) {
+            o.links.source = 3;
+            o.tightening = Tightening::GRAPH;
+          },
+          [](Cut_options& o) {
+            o.method = Cut_method::MORSE;
+            o.links.source = 3;
+            o.on_edges = true;
+          }};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(choices_that_do_not_go_together_are_refused)
+{
+  const auto s = sample::torus(10, 10);
+  std::set<std::string> messages;
+  for (const auto& choose : wrong_choices())
+  {
+    Cut_options o;
+    choose(o);
+    const std::string message = refusal([&] { check(o); });
+    BOOST_TEST(!message.empty());
+    BOOST_TEST(refusal([&] { pipeline::cut(s, o); }) == message);
+    messages.insert(message);
+  }
+  BOOST_TEST(messages.size() >= 10u); // each rule has its own
+}
+
+// Theorem: what is left of any choices goes together with the method that they are taken to, if it did before.
+BOOST_DATA_TEST_CASE(choices_are_taken_to_another_method, data::xrange(number_of<Cut_method>), to)
+{
+  const auto s = sample::torus(10, 10);
+  for (const Cut_method from : all<Cut_method>())
+    for (const bool on_edges : {false, true})
+    {
+      Cut_options o;
+      o.method = from;
+      o.on_edges = on_edges;
+      if (from == Cut_method::GENERATORS) { o.join = Generator_join::SADDLES; }
+      if (from == Cut_method::GEODESIC || from == Cut_method::TREE_COTREE) { o.source = 4; }
+      if (!cuts_edges(from))
+      {
+        o.minima = {0};
+        o.maxima = {55};
+        o.levels = Levels::TIGHT;
+        o.weights = Weights::COTANGENT;
+        if (from == Cut_method::CONTOURS || !on_edges) { o.links.source = 7; }
+        if (from != Cut_method::GEODESIC) { o.values.assign(100, 0.); }
+      }
+      BOOST_TEST(refusal([&] { check(s, o); }) == "");
+      const Cut_options taken = with_method(o, all<Cut_method>()[to]);
+      BOOST_TEST(refusal([&] { check(s, taken); }) == "");
+      BOOST_TEST((taken.method == all<Cut_method>()[to]));
+      BOOST_TEST(taken.on_edges == on_edges);
+      if (taken.method == from) { BOOST_TEST((taken.source == o.source && taken.minima == o.minima)); }
+    }
+}
+
+// What is no surface, or not of it, is refused by each search, with the number of what is wrong.
+BOOST_AUTO_TEST_CASE(surfaces_and_vertices_that_are_not_there_are_refused)
+{
+  const auto says = [](const std::string& message, const char* part) {
+    BOOST_TEST(message.find(part) != std::string::npos, message);
+  };
+  const Triangle_surface none, s = sample::torus(10, 10);
+  Triangle_surface two = s;
+  for (const Point& p : s.points) { two.points.push_back({p[0] + 20, p[1], p[2]}); }
+  for (const auto& t : s.triangles) { two.triangles.push_back({t[0] + 100, t[1] + 100, t[2] + 100}); }
+  two = sample::connected(std::move(two));
+  for (const auto& run : std::vector<std::function<void(const Triangle_surface&)>>{
+         [](const Triangle_surface& t) { pipeline::cut(t); },
+         [](const Triangle_surface& t) { pipeline::generators(t); },
+         [](const Triangle_surface& t) { pipeline::basis(t); }})
+  {
+    says(refusal([&] { run(none); }), "no faces");
+    const std::string message = refusal([&] { run(two); });
+    says(message, "2 pieces");
+    says(message, "200");
+  }
+  const auto with = [&](const std::function<void(Cut_options&)>& choose) {
+    Cut_options o;
+    choose(o);
+    return refusal([&] { pipeline::cut(s, o); });
+  };
+  for (const Index v : {-2, 100, 1000000000})
+  {
+    const std::string number = "no vertex " + std::to_string(v);
+    says(with([&](Cut_options& o) {
+           o.minima = {v};
+           o.maxima = {5};
+         }),
+         number.c_str());
+    says(with([&](Cut_options& o) {
+           o.minima = {5};
+           o.maxima = {v};
+         }),
+         number.c_str());
+    says(with([&](Cut_options& o) { o.links.source = v; }), number.c_str());
+    if (v > 0)
+      says(with([&](Cut_options& o) {
+             o.method = Cut_method::GEODESIC;
+             o.source = v;
+           }),
+           number.c_str());
+  }
+  says(with([](Cut_options& o) { o.minima = {1}; }), "go together");
+  for (const std::size_t n : {99u, 101u})
+  {
+    says(with([&](Cut_options& o) { o.values.assign(n, 1); }), "100 vertices");
+    says(with([&](Cut_options& o) { o.preference = preference::low_weight(std::vector<double>(n, 1)); }),
+         "100 vertices");
+  }
+  says(with([&](Cut_options& o) { o.values.assign(100, std::nan("")); }), "not finite at vertex 0");
+  const auto open = sample::punctured(s, {0, 90}); // the weights of an open surface are those of its own vertices
+  Generator_options g;
+  g.is_open = true;
+  g.preference = preference::low_weight(std::vector<double>(static_cast<std::size_t>(open.number_of_vertices()), 1));
+  BOOST_TEST(refusal([&] { pipeline::generators(open, g); }) == "");
+  g.preference =
+    preference::low_weight(std::vector<double>(static_cast<std::size_t>(open.number_of_vertices()) + 2, 1));
+  says(refusal([&] { pipeline::generators(open, g); }), "needs one a vertex");
 }

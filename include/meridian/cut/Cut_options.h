@@ -12,6 +12,7 @@
 #include <meridian/field/Field.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/handles/preference.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <array>
 
@@ -99,6 +100,30 @@ struct Cut_options : Field_options
   Link_options links;
   Progress_observer* observer = nullptr;
 };
+
+/// \ingroup PkgMeridianCut
+/// checks whether choices go together, whatever the surface.
+/// \throws Invalid_input_error if one of them would be ignored because of another
+void check(const Cut_options& options);
+
+/// \ingroup PkgMeridianCut
+/// checks choices together with the surface that shall be cut. `cut_to_disc()` does so first.
+/// \throws Invalid_input_error if they do not go together, if a vertex or value is not one of the surface, or if the
+///   surface has no faces or several pieces
+/// \par Complexity
+/// Linear.
+void check(const Triangle_surface& s, const Cut_options& options);
+
+/// \ingroup PkgMeridianCut
+/// \returns the choices as far as they go with a method; the others are taken back
+Cut_options with_method(Cut_options options, Cut_method method);
+
+/// \ingroup PkgMeridianCut
+/// \returns whether a method cuts edges alone: it has no field, no meridians and no links
+constexpr bool cuts_edges(Cut_method method)
+{
+  return method == Cut_method::TREE_COTREE || method == Cut_method::GEOMETRY_IMAGE;
+}
 
 } // namespace meridian
 

@@ -21,8 +21,8 @@ namespace meridian {
  * \param options see there
  *
  * \returns the cut, which is topologically right however bad the shape of the faces is
- * \pre `root` is connected
- * \throws Invalid_input_error if minima and maxima coincide, or if only edges shall be cut and the mesh is too coarse;
+ * \throws Invalid_input_error as `check()` does, if minima and maxima coincide, or if only edges shall be cut and the
+ *   mesh is too coarse;
  *   Solver_error if the field cannot be solved, Cancelled if the observer says so, Internal_error if an invariant broke
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.

@@ -6,6 +6,7 @@
 #include <meridian/field/Sparse_solver.h>
 #include <meridian/field/critical_points.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <string>
 #include <vector>
@@ -25,6 +26,12 @@ struct Field_options
   std::string values_name = "given"; ///< what `values` are, for reports
   Solvers solvers;                   ///< the general one serves mean-value weights
 };
+
+/// \ingroup PkgMeridianOrder
+/// checks what was chosen about a field of a surface.
+/// \throws Invalid_input_error if there is no such vertex, if minima or maxima alone are given, or if values are not
+///   one finite number a vertex
+void check(const Triangle_surface& s, const Field_options& options);
 
 /// \ingroup PkgMeridianOrder
 /// what a field was, for whoever made something of it.

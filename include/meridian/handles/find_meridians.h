@@ -33,12 +33,12 @@ double average_along(const Triangle_surface& root, const Ordered_surface& m, con
 
 /// \ingroup PkgMeridianMeridians
 /// rates the loops of `search` and chooses as many meridians as the genus; moves those to the tightest level if that is
-/// wanted.
-/// \throws Internal_error if there are not as many
+/// wanted. A preference may weigh the vertices of `root`, or of it without the middles of `filled_holes`, its last.
+/// \throws Internal_error if there are not as many, Invalid_input_error if a preference has not one weight a vertex
 /// \par Complexity
 /// that of `select_meridians()`
 void find_meridians(const Triangle_surface& root, const Ordered_surface& m, int genus, const Preference& preference,
-                    Meridian_search& search, Levels levels = Levels::SADDLE);
+                    Meridian_search& search, Levels levels = Levels::SADDLE, Index filled_holes = 0);
 
 } // namespace meridian
 
