@@ -9,11 +9,31 @@
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Surface_mesh.h>
 
+#ifdef MERIDIAN_HAS_OPENMESH
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#endif
+
 #include <boost/mpl/list.hpp>
+
+#include <iterator>
+#include <map>
+#include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+#ifdef MERIDIAN_HAS_OPENMESH
+struct In_double : OpenMesh::DefaultTraits
+{
+  using Point = OpenMesh::Vec3d;
+};
+using Mesh_types = boost::mpl::list<Mesh, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_3>,
+                                    OpenMesh::PolyMesh_ArrayKernelT<In_double>>;
+#else
 using Mesh_types = boost::mpl::list<Mesh, CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_3>>;
+#endif
 using namespace meridian;
 
 namespace {
@@ -161,4 +181,40 @@ BOOST_AUTO_TEST_CASE(quadrilaterals_are_refused_by_name)
   tm.add_face(v);
   BOOST_CHECK_EXCEPTION(make_triangle_surface(tm), Invalid_input_error,
                         [](const auto& e) { return std::string(e.what()).find("face 0 has 4 corners") == 0; });
+}
+
+// Metamorphic: points in a map beside the mesh, whose own all lie in one place, give what its own would.
+BOOST_AUTO_TEST_CASE(points_may_lie_in_a_map_of_the_caller)
+{
+  const auto s = sample::noisy(sample::plate(2, 3), 0.1, 1);
+  const auto own = build_mesh<Mesh>(s);
+  Mesh tm = own;
+  std::map<Mesh::Vertex_index, Kernel::Point_3> points;
+  for (auto v : vertices(tm))
+  {
+    points[v] = own.point(v);
+    tm.point(v) = Kernel::Point_3(0, 0, 0);
+  }
+  const auto map = boost::make_assoc_property_map(points);
+  Cut_options options;
+  options.preference = preference::short_length;
+  Mesh disc, expected;
+  const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options).vertex_point_map(map));
+  BOOST_TEST((cut.surface.points == cut_to_disc(own, expected, parameters::cut_options(options)).surface.points));
+  BOOST_TEST((make_triangle_surface(disc).points == make_triangle_surface(expected).points));
+  std::vector<std::vector<Mesh::Vertex_index>> curves;
+  Mesh refined;
+  const auto g = find_generators(tm, refined, std::back_inserter(curves), CGAL::parameters::vertex_point_map(map));
+  BOOST_TEST(g.smallest_angle_before > 0);
+  auto uv = tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
+  BOOST_TEST(unwrap(tm, uv, CGAL::parameters::vertex_point_map(map)).map.flipped.empty());
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_result_is_not_added_to_what_a_mesh_has, TriangleMesh, Mesh_types)
+{
+  auto tm = build_mesh<TriangleMesh>(sample::torus(8, 6));
+  std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>> curves;
+  BOOST_CHECK_THROW(cut_to_disc(tm, tm), Invalid_input_error);
+  BOOST_CHECK_THROW(find_generators(tm, tm, std::back_inserter(curves)), Invalid_input_error);
+  BOOST_TEST(std::distance(vertices(tm).begin(), vertices(tm).end()) == 48);
 }

@@ -17,11 +17,12 @@ namespace meridian {
  * \param cut a cut
  * \param refined receives the surface
  * \param is_cut_map receives `true` for the edges of the cut graph, `false` for all others
- * \pre `refined` is empty
+ * \throws Invalid_input_error if `refined` is not empty
  */
 template <class Mesh, class EdgeIsConstrainedMap>
 void build_refined_mesh(const Cut& cut, Mesh& refined, EdgeIsConstrainedMap is_cut_map)
 {
+  internal::check_is_empty(refined);
   const auto vertex = internal::build(cut.surface.points, cut.surface.triangles, refined);
   for (auto e : edges(refined)) { put(is_cut_map, e, false); }
   for (Index h = 0; h < cut.surface.number_of_halfedges(); ++h)

@@ -24,22 +24,22 @@ namespace meridian {
  * \param disc receives the disc: the vertices of `tm` in their order, then new ones, then copies
  * \param np optional: `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`),
  *   `field_map` (a `ReadablePropertyMap` from vertices to `double`: the field whose contours are cut),
- *   `vertex_weight_map` (the same: meridians keep to low weights)
+ *   `vertex_weight_map` (the same: meridians keep to low weights), `vertex_point_map` (last in the chain)
  * \returns the cut, recounted
- * \pre `disc` is empty, `tm` is connected
- * \throws Invalid_input_error, Solver_error, Cancelled as that function
+ * \throws Invalid_input_error if `disc` is not empty; Invalid_input_error, Solver_error, Cancelled as that function
  */
 template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
           std::enable_if_t<!std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options>, int> = 0>
 Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
 {
   static_assert(
-    internal::uses_only<internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(
-      static_cast<const NamedParameters*>(nullptr)),
+    internal::uses_only<CGAL::internal_np::vertex_point_t, internal_np::cut_options_t, internal_np::field_map_t,
+                        internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
     "cut_to_disc() was given a named parameter it does not use");
+  internal::check_is_empty(disc);
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const Triangle_surface root = make_triangle_surface(tm);
+  const Triangle_surface root = internal::read_surface(tm, np);
   Cut cut = cut_to_disc(
     root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
   const Verification recount = verify_cut(root, cut);

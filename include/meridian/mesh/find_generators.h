@@ -26,10 +26,9 @@ namespace meridian {
  * \param refined receives the refined mesh: the vertices of `tm` in their order, then new ones
  * \param curves receives the vertices of each curve on `refined`, a `std::vector`: meridian, longitude, meridian, ...
  * \param np optional: `generator_options` (a `Generator_options`; its vertices are numbered in the order of
- *   `vertices(tm)`), `field_map` and `vertex_weight_map` as for `cut_to_disc()`
+ *   `vertices(tm)`), `field_map`, `vertex_weight_map` and `vertex_point_map` as for `cut_to_disc()`
  * \returns the generators, recounted
- * \pre `refined` is empty, `tm` is connected
- * \throws Invalid_input_error, Solver_error, Cancelled as that function
+ * \throws Invalid_input_error if `refined` is not empty; Invalid_input_error, Solver_error, Cancelled as that function
  */
 template <class TriangleMesh, class RefinedMesh, class VertexOutputIterator,
           class NamedParameters = CGAL::parameters::Default_named_parameters>
@@ -37,12 +36,13 @@ Generators find_generators(const TriangleMesh& tm, RefinedMesh& refined, VertexO
                            const NamedParameters& np = CGAL::parameters::default_values())
 {
   static_assert(
-    internal::uses_only<internal_np::generator_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(
-      static_cast<const NamedParameters*>(nullptr)),
+    internal::uses_only<CGAL::internal_np::vertex_point_t, internal_np::generator_options_t, internal_np::field_map_t,
+                        internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
     "find_generators() was given a named parameter it does not use");
+  internal::check_is_empty(refined);
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const Triangle_surface root = make_triangle_surface(tm);
+  const Triangle_surface root = internal::read_surface(tm, np);
   Generators g = find_generators(
     root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::generator_options), Generator_options()),
                               tm, np));

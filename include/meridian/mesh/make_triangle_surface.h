@@ -10,6 +10,20 @@
 
 namespace meridian {
 
+namespace internal {
+
+// The mesh with its points from a named parameter, or its own.
+template <class TriangleMesh, class NamedParameters>
+Triangle_surface read_surface(const TriangleMesh& tm, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  return convert(tm, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
+                                      CGAL::get_const_property_map(CGAL::vertex_point, tm)));
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
@@ -30,10 +44,7 @@ Triangle_surface make_triangle_surface(const TriangleMesh& tm,
 {
   static_assert(internal::uses_only<CGAL::internal_np::vertex_point_t>(static_cast<const NamedParameters*>(nullptr)),
                 "make_triangle_surface() was given a named parameter it does not use");
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
-  return internal::convert(tm, choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point),
-                                                CGAL::get_const_property_map(CGAL::vertex_point, tm)));
+  return internal::read_surface(tm, np);
 }
 
 } // namespace meridian

@@ -30,10 +30,9 @@ namespace meridian {
  * \param tm the mesh
  * \param uv receives, for each halfedge of a face, the coordinates of its target in that face
  * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are
- *   numbered in the order of `vertices(tm)`)
+ *   numbered in the order of `vertices(tm)`), `vertex_point_map`
  * \returns the cut and its map, recounted
- * \pre `tm` is connected
- * \throws Invalid_input_error if the mesh is too coarse for a cut of edges; Solver_error if no map without flipped
+ * \throws Invalid_input_error if the mesh is not connected, or too coarse for a cut of edges; Solver_error if no map without flipped
  *   faces is found; Cancelled
  * \par Complexity
  * That of `unwrap_surface()`.
@@ -42,11 +41,12 @@ template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = CGAL:
 Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<internal_np::unwrap_options_t>(static_cast<const NamedParameters*>(nullptr)),
+  static_assert(internal::uses_only<CGAL::internal_np::vertex_point_t, internal_np::unwrap_options_t>(
+                  static_cast<const NamedParameters*>(nullptr)),
                 "unwrap() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const Triangle_surface root = make_triangle_surface(tm);
+  const Triangle_surface root = internal::read_surface(tm, np);
   Unwrap_options options = choose_parameter(get_parameter(np, internal_np::unwrap_options), Unwrap_options());
   options.cut.on_edges = true;
   options.cut.refine_where_needed = false;

@@ -12,7 +12,9 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 
+#include <iterator>
 #include <map>
+#include <string>
 
 namespace meridian {
 namespace internal {
@@ -76,6 +78,16 @@ template <class TriangleMesh, class VertexPointMap> Triangle_surface convert(con
     }
   }
   return s;
+}
+
+// Whoever receives a result has nothing yet, least of all the input.
+template <class Mesh> void check_is_empty(const Mesh& mesh)
+{
+  const auto all = vertices(mesh);
+  const auto number = std::distance(all.begin(), all.end());
+  if (number > 0)
+    throw Invalid_input_error("the mesh that shall receive the result has " + std::to_string(number)
+                              + " vertices already; give an empty one");
 }
 
 // Adds vertices and faces to an empty mesh; returns the vertices.
