@@ -16,8 +16,10 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #endif
 
+#include <algorithm>
 #include <boost/mpl/list.hpp>
 
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <vector>
@@ -37,6 +39,11 @@ using Mesh_types = boost::mpl::list<Mesh, CGAL::Polyhedron_3<Kernel, CGAL::Polyh
 using namespace meridian;
 
 namespace {
+
+template <class TriangleMesh> constexpr double precision = 1e-12; // of points that are written
+#ifdef MERIDIAN_HAS_OPENMESH
+template <> constexpr double precision<OpenMesh::PolyMesh_ArrayKernelT<In_double>> = 1e-6; // CGAL rounds to float there
+#endif
 
 template <class TriangleMesh> TriangleMesh build_mesh(const Triangle_surface& s)
 {
@@ -217,4 +224,129 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_result_is_not_added_to_what_a_mesh_has, Triangle
   BOOST_CHECK_THROW(cut_to_disc(tm, tm), Invalid_input_error);
   BOOST_CHECK_THROW(find_generators(tm, tm, std::back_inserter(curves)), Invalid_input_error);
   BOOST_TEST(std::distance(vertices(tm).begin(), vertices(tm).end()) == 48);
+}
+
+namespace {
+
+// What the caller knows of a mesh that was refined along a cut graph.
+template <class TriangleMesh> struct In_place
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+  TriangleMesh tm;
+  std::vector<typename Graph::vertex_descriptor> own_vertices;
+  std::vector<typename Graph::face_descriptor> own_faces;
+  std::map<typename Graph::edge_descriptor, bool> is_cut;
+  std::map<typename Graph::vertex_descriptor, double> field;
+  std::map<typename Graph::vertex_descriptor, Origin> origin;
+  std::map<typename Graph::face_descriptor, Index> face_origin;
+  Cut cut;
+
+  In_place(const Triangle_surface& s, const Cut_options& options) : tm(build_mesh<TriangleMesh>(s))
+  {
+    own_vertices.assign(vertices(tm).begin(), vertices(tm).end());
+    own_faces.assign(faces(tm).begin(), faces(tm).end());
+    cut = cut_to_disc(tm, parameters::edge_is_constrained_map(boost::make_assoc_property_map(is_cut))
+                            .vertex_field_map(boost::make_assoc_property_map(field))
+                            .cut_options(options)
+                            .vertex_origin_map(boost::make_assoc_property_map(origin))
+                            .face_origin_map(boost::make_assoc_property_map(face_origin)));
+  }
+};
+
+} // namespace
+
+// Theorem: the mesh is the refined surface of the cut; its own vertices and undivided faces are where they were.
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_refined_along_its_cut_in_place, TriangleMesh, Mesh_types)
+{
+  for (const Triangle_surface& s : {sample::noisy(sample::plate(2, 3), 0.1, 1),
+                                    sample::punctured(sample::plate(1, 3), {20, 60}), sample::sphere(2)})
+    for (const bool on_edges : {false, true})
+    {
+      Cut_options options;
+      options.preference = preference::short_length;
+      options.on_edges = on_edges;
+      In_place<TriangleMesh> r(s, options);
+      const Refined_surface& refined = r.cut.surface;
+      BOOST_TEST(CGAL::is_valid_polygon_mesh(r.tm));
+      const Triangle_surface now = make_triangle_surface(r.tm);
+      BOOST_TEST(now.number_of_vertices() == refined.number_of_vertices());
+      BOOST_TEST(now.number_of_faces() == refined.number_of_faces());
+      BOOST_TEST(sample::euler_characteristic(now) == sample::euler_characteristic(s));
+      const auto sorted = [](std::vector<Point> points) {
+        std::sort(points.begin(), points.end());
+        return points;
+      };
+      const auto a = sorted(now.points), b = sorted(refined.points);
+      double off = 0;
+      for (std::size_t i = 0; i < a.size(); ++i) { off = std::max(off, distance(a[i], b[i])); }
+      BOOST_TEST(off < precision<TriangleMesh>);
+      // the edges of the cut graph, by number and by length
+      std::size_t flagged = 0;
+      double length = 0;
+      const auto vpm = get(CGAL::vertex_point, r.tm);
+      for (const auto& [e, is] : r.is_cut)
+      {
+        flagged += is;
+        if (is)
+        {
+          const auto &p = get(vpm, source(e, r.tm)), &q = get(vpm, target(e, r.tm));
+          length += std::sqrt(CGAL::square(p.x() - q.x()) + CGAL::square(p.y() - q.y()) + CGAL::square(p.z() - q.z()));
+        }
+      }
+      BOOST_TEST(r.is_cut.size() == static_cast<std::size_t>(refined.number_of_edges()));
+      BOOST_TEST(flagged == r.cut.opened.seams.size());
+      BOOST_TEST(length == r.cut.length, boost::test_tools::tolerance(1e3 * precision<TriangleMesh>));
+      // own vertices keep their places and descriptors, and the field is linear between them
+      BOOST_REQUIRE(r.origin.size() == static_cast<std::size_t>(refined.number_of_vertices()));
+      for (std::size_t v = 0; v < r.own_vertices.size(); ++v)
+      {
+        const Origin o = r.origin.at(r.own_vertices[v]);
+        BOOST_TEST((o.kind == Origin::VERTEX && o.index[0] == static_cast<Index>(v)));
+        if (!r.cut.field.empty()) { BOOST_TEST(r.field.at(r.own_vertices[v]) == r.cut.field[v]); }
+      }
+      for (const auto& [v, o] : r.origin)
+      {
+        const auto& p = get(vpm, v);
+        BOOST_TEST(distance(position(s, o), Point{p[0], p[1], p[2]}) < precision<TriangleMesh>);
+        if (r.cut.field.empty() || o.kind != Origin::EDGE) { continue; }
+        const double low = std::min(r.cut.field[o.index[0]], r.cut.field[o.index[1]]),
+                     high = std::max(r.cut.field[o.index[0]], r.cut.field[o.index[1]]);
+        BOOST_TEST((r.field.at(v) >= low - 1e-12 && r.field.at(v) <= high + 1e-12));
+      }
+      // each face is part of that which it names, and one part of each face is that face itself
+      BOOST_REQUIRE(r.face_origin.size() == static_cast<std::size_t>(refined.number_of_faces()));
+      for (std::size_t f = 0; f < r.own_faces.size(); ++f)
+      {
+        BOOST_TEST(r.face_origin.at(r.own_faces[f]) == static_cast<Index>(f));
+      }
+      for (const auto& [f, whole] : r.face_origin)
+        for (auto v : CGAL::vertices_around_face(halfedge(f, r.tm), r.tm))
+        {
+          const Origin& o = r.origin.at(v);
+          const auto& t = s.triangles.at(static_cast<std::size_t>(whole));
+          const auto has = [&](Index w) { return std::count(t.begin(), t.end(), w) > 0; };
+          BOOST_TEST((o.kind == Origin::VERTEX ? has(o.index[0])
+                      : o.kind == Origin::EDGE ? has(o.index[0]) && has(o.index[1])
+                                               : o.index[0] == whole));
+        }
+      if (on_edges)
+      {
+        BOOST_TEST(now.number_of_vertices() == s.number_of_vertices());
+        BOOST_TEST((now.triangles == s.triangles));
+      }
+      else if (boundary_loops(s).empty() && r.cut.genus > 0)
+      {
+        BOOST_TEST(now.number_of_vertices() > s.number_of_vertices());
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_that_cannot_be_cut_is_not_touched, TriangleMesh, Mesh_types)
+{
+  const auto s = sample::torus(8, 6);
+  auto tm = build_mesh<TriangleMesh>(s);
+  Cut_options options;
+  options.minima = {1};
+  BOOST_CHECK_THROW(cut_to_disc(tm, parameters::cut_options(options)), Invalid_input_error);
+  BOOST_TEST((make_triangle_surface(tm).triangles == s.triangles));
 }

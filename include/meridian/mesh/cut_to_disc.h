@@ -4,6 +4,7 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/cut/cut_to_disc.h>
+#include <meridian/mesh/internal/refine_mesh.h>
 #include <meridian/mesh/internal/with_maps.h>
 #include <meridian/mesh/make_triangle_surface.h>
 #include <meridian/result/recount.h>
@@ -28,8 +29,10 @@ namespace meridian {
  * \returns the cut, recounted
  * \throws Invalid_input_error if `disc` is not empty; Invalid_input_error, Solver_error, Cancelled as that function
  */
-template <class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
-          std::enable_if_t<!std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options>, int> = 0>
+template <
+  class TriangleMesh, class DiscMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
+  std::enable_if_t<
+    !std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options> && !internal::is_named_parameters<DiscMesh>, int> = 0>
 Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
 {
   static_assert(
@@ -46,6 +49,56 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
   if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
   const Triangle_surface opened = surface_of(cut.surface, cut.opened);
   internal::build(opened.points, opened.triangles, disc);
+  return cut;
+}
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * refines a connected triangle mesh along a cut graph that makes a disc of it (see
+ * `cut_to_disc(const Triangle_surface&, const Cut_options&)`). Vertices, edges and faces that the graph does not cross
+ * stay what they are, with their properties; with `Cut_options::on_edges` all do.
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
+ * \param tm the mesh
+ * \param np optional:
+ *   - `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`);
+ *   - `field_map`, `vertex_weight_map` (`ReadablePropertyMap`s from vertices to `double`), as for the other form;
+ *   - `vertex_point_map` (a `ReadWritePropertyMap`; default: `get(CGAL::vertex_point, tm)`). A new point is constructed
+ *     from its neighbours in the map's own kernel: with an exact one it lies on the mesh exactly;
+ *   - `edge_is_constrained_map` (a `WritablePropertyMap` from edges to `bool`) receives whether an edge is one of the
+ *     cut graph, for all edges: ready for `CGAL::Seam_mesh`;
+ *   - `vertex_field_map` (a `WritablePropertyMap` from vertices to `double`) receives the field, linear in each face;
+ *   - `vertex_origin_map` (the same, to `Origin`) receives where on the mesh a vertex lies, `face_origin_map` (from faces
+ *     to `Index`) the number of the face that a face was part of.
+ * \returns the cut, recounted; its vertices and faces have other numbers than those of `tm`
+ * \throws Invalid_input_error, Solver_error, Cancelled as that function. The mesh is not touched then.
+ */
+template <
+  class TriangleMesh, class NamedParameters = CGAL::parameters::Default_named_parameters,
+  std::enable_if_t<!std::is_base_of_v<Triangle_surface, TriangleMesh> && internal::is_named_parameters<NamedParameters>,
+                   int> = 0>
+Cut cut_to_disc(TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::default_values())
+{
+  static_assert(
+    internal::uses_only<CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t,
+                        internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t,
+                        internal_np::vertex_field_map_t, internal_np::vertex_origin_map_t,
+                        internal_np::face_origin_map_t>(static_cast<const NamedParameters*>(nullptr)),
+    "cut_to_disc() was given a named parameter it does not use");
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Triangle_surface root = internal::read_surface(tm, np);
+  Cut cut = cut_to_disc(
+    root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
+  const Verification recount = verify_cut(root, cut);
+  if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
+  internal::Mesh_refiner<TriangleMesh> refiner(root, cut.surface, tm);
+  refiner.run();
+  internal::place_new_vertices(
+    root, cut.surface, refiner,
+    choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, tm)));
+  internal::write_maps(root, cut, refiner, tm, np);
   return cut;
 }
 

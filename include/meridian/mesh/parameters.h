@@ -9,7 +9,12 @@
 
 // The table of this package's named parameters. NAME is what a caller writes, NAME_t the tag the library looks up.
 #define MERIDIAN_FOR_EACH_PARAMETER(X) \
-  X(cut_options) X(generator_options) X(unwrap_options) X(field_map) X(vertex_weight_map)
+  X(cut_options) \
+  X(generator_options) \
+  X(unwrap_options) X(field_map) X(vertex_weight_map) X(vertex_field_map) X(vertex_origin_map) X(face_origin_map)
+// Those of CGAL's that may stand anywhere in the chain: what a caller writes, and CGAL's tag.
+#define MERIDIAN_FOR_EACH_CGAL_PARAMETER(X) \
+  X(vertex_point_map, vertex_point_t) X(edge_is_constrained_map, edge_is_constrained_t)
 
 namespace meridian {
 
@@ -35,6 +40,13 @@ struct Parameters : CGAL::Named_function_parameters<T, Tag, Base>
   }
   MERIDIAN_FOR_EACH_PARAMETER(MERIDIAN_MEMBER)
 #undef MERIDIAN_MEMBER
+#define MERIDIAN_MEMBER(NAME, TAG) \
+  template <class K> Parameters<K, CGAL::internal_np::TAG, Pack> NAME(const K& k) const \
+  { \
+    return Parameters<K, CGAL::internal_np::TAG, Pack>(k, *this); \
+  }
+  MERIDIAN_FOR_EACH_CGAL_PARAMETER(MERIDIAN_MEMBER)
+#undef MERIDIAN_MEMBER
 };
 
 /// \ingroup PkgMeridianParameters
@@ -47,11 +59,32 @@ namespace parameters {
   }
 MERIDIAN_FOR_EACH_PARAMETER(MERIDIAN_FUNCTION)
 #undef MERIDIAN_FUNCTION
+#define MERIDIAN_FUNCTION(NAME, TAG) \
+  template <class K> Parameters<K, CGAL::internal_np::TAG> NAME(const K& k) \
+  { \
+    return Parameters<K, CGAL::internal_np::TAG>(k); \
+  }
+MERIDIAN_FOR_EACH_CGAL_PARAMETER(MERIDIAN_FUNCTION)
+#undef MERIDIAN_FUNCTION
 } // namespace parameters
 
 #undef MERIDIAN_FOR_EACH_PARAMETER
+#undef MERIDIAN_FOR_EACH_CGAL_PARAMETER
 
 namespace internal {
+
+template <class T, class Tag, class Base> std::true_type is_pack(const CGAL::Named_function_parameters<T, Tag, Base>*);
+std::false_type is_pack(const void*);
+
+// Whether a type is a sequence of named parameters.
+template <class T>
+constexpr bool is_named_parameters = decltype(is_pack(static_cast<std::decay_t<T>*>(nullptr)))::value;
+
+// Calls `use` with a map that was given.
+template <class Map, class Use> void if_given(const Map& map, const Use& use)
+{
+  if constexpr (!std::is_same_v<Map, CGAL::internal_np::Param_not_found>) { use(map); }
+}
 
 // Does the pack hold nothing but the tags in `Allowed`? CGAL ignores a parameter that a function does not read; here it
 // is a compile error.

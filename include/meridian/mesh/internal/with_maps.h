@@ -19,12 +19,11 @@ Options with_maps(Options options, const TriangleMesh& tm, const NamedParameters
 {
   using CGAL::parameters::get_parameter;
   const auto read = [&](const auto& map, const auto& use) {
-    if constexpr (!std::is_same_v<std::decay_t<decltype(map)>, CGAL::internal_np::Param_not_found>)
-    {
+    if_given(map, [&](const auto& given) {
       std::vector<double> values;
-      for (auto v : vertices(tm)) { values.push_back(get(map, v)); }
+      for (auto v : vertices(tm)) { values.push_back(get(given, v)); }
       use(std::move(values));
-    }
+    });
   };
   read(get_parameter(np, internal_np::field_map),
        [&](std::vector<double> values) { options.values = std::move(values); });
