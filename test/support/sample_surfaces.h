@@ -4,6 +4,7 @@
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/vectors.h>
+#include <meridian/surface/Surface_curve.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <algorithm>
@@ -268,6 +269,15 @@ inline std::vector<Index> match_by_angle(const std::vector<double>& angle, const
                                         [&](Index v, Index w) { return distance_to(a, v) < distance_to(a, w); }));
   }
   return matched;
+}
+
+// A closed curve around a vertex, through all edges at it.
+inline meridian::Surface_curve ring(const Triangle_surface& s, Index v, double t)
+{
+  meridian::Surface_curve c;
+  c.closed = true;
+  s.for_each_outgoing(v, [&](Index h) { c.points.push_back(meridian::Curve_point::on_edge(s.opposite[h], 1 - t)); });
+  return c;
 }
 
 // Two tori joined by a tube of radius 1 and the given length. Vertices of the first torus come first; both are alike,

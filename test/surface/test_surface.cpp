@@ -99,24 +99,12 @@ BOOST_AUTO_TEST_CASE(mean_curvature_of_a_sphere_is_one_over_the_radius)
   BOOST_TEST(sum / s.number_of_vertices() == 0.5, boost::test_tools::tolerance(0.02));
 }
 
-namespace {
-
-// A closed curve around a vertex, through all edges at it.
-Surface_curve ring(const Triangle_surface& s, Index v, double t)
-{
-  Surface_curve c;
-  c.closed = true;
-  s.for_each_outgoing(v, [&](Index h) { c.points.push_back(Curve_point::on_edge(s.opposite[h], 1 - t)); });
-  return c;
-}
-
-} // namespace
-
 BOOST_AUTO_TEST_CASE(an_inserted_curve_becomes_seam_edges_and_the_surface_keeps_its_topology_and_area)
 {
   const auto root = sample::noisy(sample::torus(9, 8), 0.1, 1);
   Refined_surface s(root);
-  const auto inserted = insert_curves(root, s, {ring(root, 20, 0.4), ring(root, 21, 0.3), ring(root, 20, 0.6)});
+  const auto inserted =
+    insert_curves(root, s, {sample::ring(root, 20, 0.4), sample::ring(root, 21, 0.3), sample::ring(root, 20, 0.6)});
   BOOST_TEST(sample::euler_characteristic(s) == 0);
   BOOST_TEST(area(s) == area(root), boost::test_tools::tolerance(1e-12));
   Index seams = 0;
@@ -140,9 +128,9 @@ BOOST_AUTO_TEST_CASE(origins_lead_back_to_the_root_through_two_refinements)
 {
   const auto root = sample::noisy(sample::sphere(2), 0.05, 2);
   Refined_surface s(root);
-  insert_curves(root, s, {ring(root, 3, 0.5)}, false);
+  insert_curves(root, s, {sample::ring(root, 3, 0.5)}, false);
   const Index fresh = root.number_of_vertices(); // a vertex of the first ring
-  insert_curves(root, s, {ring(s, fresh, 0.5)}, false);
+  insert_curves(root, s, {sample::ring(s, fresh, 0.5)}, false);
   std::set<int> kinds;
   for (Index v = 0; v < s.number_of_vertices(); ++v)
   {
@@ -157,7 +145,7 @@ BOOST_AUTO_TEST_CASE(curves_that_cross_in_a_face_are_refused)
 {
   const auto root = sample::sphere(1);
   const Index v = 0;
-  Surface_curve a = ring(root, v, 0.5), b = a;
+  Surface_curve a = sample::ring(root, v, 0.5), b = a;
   // The same ring, but two neighbouring points changed places along their edges relative to `a`.
   b.points[0].t += 0.1;
   for (std::size_t i = 1; i < b.points.size(); ++i) { b.points[i].t -= 0.1; }
@@ -169,7 +157,7 @@ BOOST_AUTO_TEST_CASE(opening_along_a_ring_gives_a_disc_and_the_rest)
 {
   const auto root = sample::torus(9, 8);
   Refined_surface s(root);
-  insert_curves(root, s, {ring(root, 20, 0.4)});
+  insert_curves(root, s, {sample::ring(root, 20, 0.4)});
   const auto opened = open_along(s);
   const Triangle_surface o = surface_of(s, opened);
   BOOST_TEST(boundary_loops(o).size() == 2u);

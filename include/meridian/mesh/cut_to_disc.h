@@ -67,7 +67,8 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
  *   - `vertex_point_map` (a `ReadWritePropertyMap`; default: `get(CGAL::vertex_point, tm)`). A new point is constructed
  *     from its neighbours in the map's own kernel: with an exact one it lies on the mesh exactly;
  *   - `edge_is_constrained_map` (a `WritablePropertyMap` from edges to `bool`) receives whether an edge is one of the
- *     cut graph, for all edges: ready for `CGAL::Seam_mesh`;
+ *     cut graph, for all edges, `vertex_is_constrained_map` whether a vertex lies on it: the two maps of
+ *     `CGAL::Seam_mesh`;
  *   - `vertex_field_map` (a `WritablePropertyMap` from vertices to `double`) receives the field, linear in each face;
  *   - `vertex_origin_map` (the same, to `Origin`) receives where on the mesh a vertex lies, `face_origin_map` (from faces
  *     to `Index`) the number of the face that a face was part of.
@@ -82,9 +83,10 @@ Cut cut_to_disc(TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::
 {
   static_assert(
     internal::uses_only<CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t,
-                        internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t,
-                        internal_np::vertex_field_map_t, internal_np::vertex_origin_map_t,
-                        internal_np::face_origin_map_t>(static_cast<const NamedParameters*>(nullptr)),
+                        CGAL::internal_np::vertex_is_constrained_t, internal_np::cut_options_t,
+                        internal_np::field_map_t, internal_np::vertex_weight_map_t, internal_np::vertex_field_map_t,
+                        internal_np::vertex_origin_map_t, internal_np::face_origin_map_t>(
+      static_cast<const NamedParameters*>(nullptr)),
     "cut_to_disc() was given a named parameter it does not use");
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;

@@ -14,7 +14,8 @@
   X(unwrap_options) X(field_map) X(vertex_weight_map) X(vertex_field_map) X(vertex_origin_map) X(face_origin_map)
 // Those of CGAL's that may stand anywhere in the chain: what a caller writes, and CGAL's tag.
 #define MERIDIAN_FOR_EACH_CGAL_PARAMETER(X) \
-  X(vertex_point_map, vertex_point_t) X(edge_is_constrained_map, edge_is_constrained_t)
+  X(vertex_point_map, vertex_point_t) \
+  X(edge_is_constrained_map, edge_is_constrained_t) X(vertex_is_constrained_map, vertex_is_constrained_t)
 
 namespace meridian {
 

@@ -206,6 +206,13 @@ void write_maps(const Triangle_surface& root, const Cut& cut, const Refiner& ref
   if_given(get_parameter(np, CGAL::internal_np::edge_is_constrained), [&](auto map) {
     for (Index h = 0; h < s.number_of_halfedges(); ++h) { put(map, edge(refiner.halfedge_of(h), tm), s.seam[h] != 0); }
   });
+  if_given(get_parameter(np, CGAL::internal_np::vertex_is_constrained), [&](auto map) {
+    for (Index v = 0; v < s.number_of_vertices(); ++v) { put(map, refiner.vertex(v), false); }
+    for (Index h = 0; h < s.number_of_halfedges(); ++h)
+    {
+      if (s.seam[h]) { put(map, refiner.vertex(s.target(h)), true); }
+    }
+  });
   if_given(get_parameter(np, internal_np::vertex_field_map), [&](auto map) {
     for (Index v = 0; v < s.number_of_vertices() && !cut.field.empty(); ++v)
     {
