@@ -570,8 +570,8 @@ BOOST_DATA_TEST_CASE(faces_without_area_do_not_break_the_equations, data::xrange
 
 namespace {
 
-// Two tori. The first has two fans at one point, and one vertex that no face uses; the second is of quadrilaterals, every
-// third turned over.
+// Two tori. The first has two fans at one point, and one vertex that no face uses; the second is of quadrilaterals,
+// every third turned over.
 Polygon_soup two_tori_pinched_at(Index pinched)
 {
   Polygon_soup input = sample::soup(sample::noisy(sample::torus(24, 12), 0.05, 1));

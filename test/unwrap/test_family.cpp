@@ -282,7 +282,7 @@ BOOST_AUTO_TEST_CASE(what_an_eye_sees)
 // Every method with every tightening, on edges and off them.
 namespace {
 
-// Theorem: a cut graph is its curves. Each runs along seam edges, closed or not as it says; together they run along all.
+// Theorem: a cut graph is its curves. Each runs along seam edges, closed or not as it says; together along all.
 void check_curves(const Cut& cut)
 {
   const Refined_surface& s = cut.surface;

@@ -17,11 +17,11 @@ namespace meridian {
  * curves in normal position: they cross edges, never pass through a vertex, and the crossings of every edge stand in a
  * total order. A curve is closed, or open and ends at two vertices.
  *
- * Sequences of edges and orders on edges are all that the topology is read from (`chords.h` does): between two crossings a curve runs
- * through a face as a chord, and two chords cross if and only if their ends alternate around the face. An open curve
- * leaves its first vertex, and comes to its last, across the edge on the other side of a face; or it runs along one
- * edge and crosses none. Where on its edge a crossing lies is a number beside it, for lengths alone. Closed curves `2i`
- * and `2i + 1` are partners, who may cross; no two others do.
+ * Sequences of edges and orders on edges are all that the topology is read from (`chords.h` does): between two
+ * crossings a curve runs through a face as a chord, and two chords cross if and only if their ends alternate around the
+ * face. An open curve leaves its first vertex, and comes to its last, across the edge on the other side of a face; or
+ * it runs along one edge and crosses none. Where on its edge a crossing lies is a number beside it, for lengths alone.
+ * Closed curves `2i` and `2i + 1` are partners, who may cross; no two others do.
  */
 class Normal_curves
 {

@@ -14,6 +14,23 @@
 
 namespace meridian {
 
+namespace internal {
+
+// The cut of a mesh that was read as `root`, as the named parameters ask for it.
+template <class TriangleMesh, class NamedParameters>
+Cut cut_and_recount(const Triangle_surface& root, const TriangleMesh& tm, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  const Cut_options options = choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options());
+  Cut cut = meridian::cut_to_disc(root, with_maps(options, tm, np));
+  const Verification recount = verify_cut(root, cut);
+  if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
+  return cut;
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
@@ -40,13 +57,8 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
                         internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
     "cut_to_disc() was given a named parameter it does not use");
   internal::check_is_empty(disc);
-  using CGAL::parameters::choose_parameter;
-  using CGAL::parameters::get_parameter;
   const Triangle_surface root = internal::read_surface(tm, np);
-  Cut cut = cut_to_disc(
-    root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
-  const Verification recount = verify_cut(root, cut);
-  if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
+  Cut cut = internal::cut_and_recount(root, tm, np);
   const Triangle_surface opened = surface_of(cut.surface, cut.opened);
   internal::build(opened.points, opened.triangles, disc);
   return cut;
@@ -70,8 +82,8 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
  *     cut graph, for all edges, `vertex_is_constrained_map` whether a vertex lies on it: the two maps of
  *     `CGAL::Seam_mesh`;
  *   - `vertex_field_map` (a `WritablePropertyMap` from vertices to `double`) receives the field, linear in each face;
- *   - `vertex_origin_map` (the same, to `Origin`) receives where on the mesh a vertex lies, `face_origin_map` (from faces
- *     to `Index`) the number of the face that a face was part of.
+ *   - `vertex_origin_map` (the same, to `Origin`) receives where on the mesh a vertex lies, `face_origin_map` (from
+ *     faces to `Index`) the number of the face that a face was part of.
  * \returns the cut, recounted; its vertices and faces have other numbers than those of `tm`
  * \throws Invalid_input_error, Solver_error, Cancelled as that function. The mesh is not touched then.
  */
@@ -91,10 +103,7 @@ Cut cut_to_disc(TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = internal::read_surface(tm, np);
-  Cut cut = cut_to_disc(
-    root, internal::with_maps(choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options()), tm, np));
-  const Verification recount = verify_cut(root, cut);
-  if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
+  Cut cut = internal::cut_and_recount(root, tm, np);
   internal::Mesh_refiner<TriangleMesh> refiner(root, cut.surface, tm);
   refiner.run();
   internal::place_new_vertices(

@@ -32,8 +32,8 @@ namespace meridian {
  * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are
  *   numbered in the order of `vertices(tm)`), `vertex_point_map`
  * \returns the cut and its map, recounted
- * \throws Invalid_input_error if the mesh is not connected, or too coarse for a cut of edges; Solver_error if no map without flipped
- *   faces is found; Cancelled
+ * \throws Invalid_input_error if the mesh is not connected, or too coarse for a cut of edges; Solver_error if no map
+ *   without flipped faces is found; Cancelled
  * \par Complexity
  * That of `unwrap_surface()`.
  */
