@@ -254,7 +254,7 @@ double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& opti
 
 } // namespace internal
 
-double tighten_curves(Normal_curves& curves, const Tighten_options& options)
+double tighten_curves(Normal_curves& curves, const Tighten_options& options, const Progress& progress)
 {
   double last = std::numeric_limits<double>::infinity();
   for (int round = 0;; ++round)
@@ -263,7 +263,7 @@ double tighten_curves(Normal_curves& curves, const Tighten_options& options)
     for (Index c = 0; c < curves.number_of_curves(); ++c)
     {
       if (curves.is_present(c)) { sum += internal::tighten_curve(curves, c, options); }
-      if (options.progress) { options.progress((round + (c + 1.) / curves.number_of_curves()) / (options.rounds + 1)); }
+      if (progress) { progress((round + (c + 1.) / curves.number_of_curves()) / (options.rounds + 1)); }
     }
     if (round == options.rounds || !(sum < (1 - options.least_gain) * last)) { return sum; }
     last = std::min(last, sum);

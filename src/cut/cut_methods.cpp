@@ -47,9 +47,7 @@ void cut_along_contours(const Triangle_surface& root, const Ordered_surface& m, 
     run(Stage::TIGHTEN, [&] {
       Normal_curves curves(root, cut.genus);
       add_contours(project_crossings(root, m, search.chosen()), curves, 1);
-      Tighten_options tightening = options.tighten_options;
-      tightening.progress = [&](double done) { run.progress(Stage::TIGHTEN, done); };
-      tighten_curves(curves, tightening);
+      tighten_curves(curves, options.tighten_options, [&](double done) { run.progress(Stage::TIGHTEN, done); });
       for (Index crossings : count_crossings(curves))
       {
         if (crossings > 0) { throw Internal_error("cut_to_disc: two meridians cross"); }

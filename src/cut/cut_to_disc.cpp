@@ -55,7 +55,7 @@ std::vector<Link_guide> cut_handles(const Triangle_surface& root, const Cut_opti
 }
 
 // Links what boundaries there are: along edges, in the plane, or over the surface.
-void link(const Triangle_surface& root, const Cut_options& options, std::vector<Link_guide> guides,
+void link(const Triangle_surface& root, const Cut_options& options, const std::vector<Link_guide>& guides,
           const Stage_runner& run, Cut& cut)
 {
   if (cuts_edges(options.method)) { return; }
@@ -73,10 +73,9 @@ void link(const Triangle_surface& root, const Cut_options& options, std::vector<
     add_curves(cut, Curve_kind::LINK, std::move(lines));
     if (cut.links_in_plane) { return; }
   }
-  Link_options links = options.links;
-  links.guides = std::move(guides);
-  links.progress = [&](double done) { run.progress(Stage::LINKS, done); };
-  add_curves(cut, Curve_kind::LINK, link_boundaries(root, cut.surface, links));
+  add_curves(cut, Curve_kind::LINK, link_boundaries(root, cut.surface, options.links, guides, [&](double done) {
+               run.progress(Stage::LINKS, done);
+             }));
 }
 
 } // namespace
@@ -98,7 +97,7 @@ Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options)
   std::vector<Link_guide> guides;
   if (is_of_edges && !is_disc) { internal::cut_along_edges(root, options, run, cut); }
   if (cut.genus > 0 && !is_of_edges) { guides = internal::cut_handles(root, options, run, cut); }
-  run(Stage::LINKS, [&] { internal::link(root, options, std::move(guides), run, cut); });
+  run(Stage::LINKS, [&] { internal::link(root, options, guides, run, cut); });
   cut.length_found = seam_length(cut.surface);
   if (!is_disc) { internal::reshape_graph(root, options, run, cut); }
   run(Stage::OPEN, [&] { open_cut(cut); });

@@ -70,8 +70,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base)
                                 : internal::close_tree_to_cut(s, internal::seam_tree(s, base));
 }
 
-std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases,
-                                              const std::function<void(double)>& progress)
+std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases, const Progress& progress)
 {
   if (bases < 1)
   {

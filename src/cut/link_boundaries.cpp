@@ -16,7 +16,8 @@
 namespace meridian {
 
 std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
-                                                const Link_options& options)
+                                                const Link_options& options, const std::vector<Link_guide>& guides,
+                                                const Progress& progress)
 {
   internal::Slit_surface slit(root, s, options.bifurcations);
   const bool is_closed = slit.number_of_loops() == 0;
@@ -30,7 +31,7 @@ std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Re
   if (slit.number_of_loops() < 2) { return links; } // a disc already
 
   internal::Link_search search(slit);
-  for (const Link_guide& guide : options.guides)
+  for (const Link_guide& guide : guides)
   {
     internal::Sleeve sleeve;
     const Index from = slit.loop(s.outgoing[guide.from]), to = slit.loop(s.outgoing[guide.to]);
@@ -48,7 +49,7 @@ std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Re
       throw Internal_error("link_boundaries: a boundary cannot be reached");
     links.push_back(slit.insert(sleeve));
     search.grow();
-    if (options.progress) { options.progress(static_cast<double>(links.size()) / (slit.number_of_loops() - 1)); }
+    if (progress) { progress(static_cast<double>(links.size()) / (slit.number_of_loops() - 1)); }
   }
   for (Index loop = 1; loop < slit.number_of_loops(); ++loop) // links that went elsewhere than planned
     while (!slit.are_joined(0, loop))

@@ -34,9 +34,8 @@ void reshape_graph(const Triangle_surface& root, const Cut_options& options, con
     std::vector<std::vector<Index>> paths = seam_paths(s);
     if (!options.on_edges)
     {
-      Tighten_options tightening = options.tighten_options;
-      tightening.progress = [&](double done) { run.progress(Stage::SHORTEN, done); };
-      const auto curves = shorten_cut_graph(root, paths, tightening);
+      const auto curves = shorten_cut_graph(root, paths, options.tighten_options,
+                                            [&](double done) { run.progress(Stage::SHORTEN, done); });
       s = Refined_surface(root);
       paths = insert_curves(root, s, curves).vertices;
     }

@@ -114,31 +114,29 @@ std::vector<Surface_curve> place_network(const Normal_curves& curves)
 } // namespace internal
 
 std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
-                                             const Tighten_options& options)
+                                             const Tighten_options& options, const Progress& progress)
 {
   Normal_curves curves(root, 0);
   internal::add_paths(curves, paths);
   if (curves.number_of_curves() == 0) { return {}; }
   double done = 0;
   const auto pause = [&] {
-    if (options.progress) { options.progress(done); }
+    if (progress) { progress(done); }
   };
-  Tighten_options quiet = options;
-  quiet.progress = nullptr;
-  tighten_curves(curves, quiet);
+  tighten_curves(curves, options);
   internal::Network_exchange exchange(curves);
   double last = internal::network_length(curves);
   for (int round = 0; round < options.rounds; ++round)
   {
     done = static_cast<double>(round) / options.rounds;
-    internal::move_vertices(curves, quiet, pause);
-    for (double before = internal::network_length(curves); exchange.run(quiet, pause) > 0;)
+    internal::move_vertices(curves, options, pause);
+    for (double before = internal::network_length(curves); exchange.run(options, pause) > 0;)
     {
       const double now = internal::network_length(curves);
       if (!(now < (1 - options.least_gain) * before)) { break; }
       before = now;
     }
-    tighten_curves(curves, quiet);
+    tighten_curves(curves, options);
     const double now = internal::network_length(curves);
     if (!(now < (1 - options.least_gain) * last)) { break; }
     last = now;

@@ -185,9 +185,7 @@ public:
 
   void tighten()
   {
-    Tighten_options tightening = m_options.tightening;
-    tightening.progress = [&](double done) { m_run.progress(Stage::TIGHTEN, done); };
-    tighten_curves(m_curves, tightening);
+    tighten_curves(m_curves, m_options.tightening, [&](double done) { m_run.progress(Stage::TIGHTEN, done); });
     check_contract(m_curves);
   }
 

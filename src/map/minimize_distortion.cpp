@@ -185,12 +185,13 @@ double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, 
 
 } // namespace internal
 
-void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options)
+void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options,
+                         const Progress& progress)
 {
   internal::Distortion_minimizer minimizer(disc, options.has_free_border, at, options.make_solver);
   for (int i = 0; i < options.iterations; ++i)
   {
-    if (options.progress) { options.progress(static_cast<double>(i) / options.iterations); }
+    if (progress) { progress(static_cast<double>(i) / options.iterations); }
     if (minimizer.step() < options.least_gain) { return; }
   }
 }

@@ -56,7 +56,7 @@ std::vector<Plane_point> place_on_square(const std::vector<double>& places)
 
 // Maps a disc by one method. Returns why there is no map, or nothing.
 std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options,
-                     std::vector<Plane_point>& at)
+                     const Progress& progress, std::vector<Plane_point>& at)
 {
   if (method >= Map_method::MEAN_VALUE)
   {
@@ -81,11 +81,10 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   }
   Distortion_options distortion;
   distortion.has_free_border = border == Map_border::FREE;
-  distortion.progress = options.progress;
   distortion.make_solver = options.make_solver;
   try
   {
-    minimize_distortion(disc, at, distortion);
+    minimize_distortion(disc, at, distortion, progress);
   }
   catch (const Solver_error&)
   {} // what was reached so far is a map
@@ -105,15 +104,30 @@ void place_in_unit_square(std::vector<Plane_point>& at)
 
 } // namespace
 
-Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options)
+void check(const Map_options& o)
 {
+  const auto forbid = [](bool is_wrong, const std::string& message) {
+    if (is_wrong) { throw Invalid_input_error(message); }
+  };
+  const std::string method = std::string("map method ") + name_of(o.method);
+  forbid(o.border != Map_border::FREE && !takes(o.method, o.border),
+         method + " has a free border; it cannot be put on a " + name_of(o.border));
+  forbid(o.loop.size() != o.polygon.size(), "a polygon for the border goes with as many halfedges; "
+                                              + std::to_string(o.polygon.size()) + " points and "
+                                              + std::to_string(o.loop.size()) + " halfedges were given");
+  forbid(!o.polygon.empty() && o.border != Map_border::SQUARE, "a polygon for the border takes the place of a square");
+  forbid(!o.polygon.empty() && !takes_polygon(o.method), method + " cannot put the border on a polygon that is given");
+}
+
+Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options, const Progress& progress)
+{
+  check(options);
   const bool is_small = boundary_loops(disc).front().size() < 4; // no square
   using Choice = std::pair<Map_method, Map_border>;
   std::vector<Choice> choices;
   const auto add = [&](Map_method m, Map_border border) {
-    if (border == Map_border::FREE && !has_free_border(m)) { border = Map_border::CIRCLE; }
+    if (border == Map_border::FREE && !takes(m, border)) { border = Map_border::CIRCLE; }
     if (border == Map_border::SQUARE && is_small) { border = Map_border::CIRCLE; }
-    if (m == Map_method::LSCM || m == Map_method::ARAP) { border = Map_border::FREE; }
     if (std::find(choices.begin(), choices.end(), Choice(m, border)) == choices.end())
     {
       choices.emplace_back(m, border);
@@ -131,7 +145,7 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     std::string reason;
     try
     {
-      reason = map_disc(disc, method, border, options, at);
+      reason = map_disc(disc, method, border, options, progress, at);
     }
     catch (const Solver_error& e)
     {

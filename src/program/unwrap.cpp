@@ -58,10 +58,9 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Usage_error(message); }
   };
-  const bool is_free = a.parameterization == Map_method::LSCM || a.parameterization == Map_method::ARAP;
+  const bool is_free = !takes(a.parameterization, Map_border::CIRCLE);
   forbid(is_free && a.border != Map_border::FREE, "this --parameterization has a free border; leave out --border");
-  forbid(!is_free && a.parameterization != Map_method::SYMMETRIC_DIRICHLET && a.has_border
-           && a.border == Map_border::FREE,
+  forbid(a.has_border && a.border == Map_border::FREE && !takes(a.parameterization, Map_border::FREE),
          "this --parameterization needs a border; --border circle or square");
   forbid(!a.texture.empty() && files::format_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
   const std::string format = files::format_of(a.distortion);
@@ -73,9 +72,7 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   if (a.geometry_image > 0)
   {
     forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
-    forbid((a.has_border && a.border != Map_border::SQUARE)
-             || (a.parameterization != Map_method::SYMMETRIC_DIRICHLET && a.parameterization != Map_method::STRETCH
-                 && a.parameterization != Map_method::POSITIVE),
+    forbid((a.has_border && a.border != Map_border::SQUARE) || !takes_polygon(a.parameterization),
            "--geometry-image maps into a square with --parameterization symmetric-dirichlet, stretch or positive");
     for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
   }

@@ -45,8 +45,7 @@ void Unwrapper::map(Unwrapping& u)
     }
     else if (options.border == Map_border::SQUARE && !m_options.cut.on_edges) { divide_border_chords(m_root, u.cut); }
     u.disc = surface_of(u.cut.surface, u.cut.opened);
-    options.progress = [&](double done) { run.progress(Stage::PARAMETERIZE, done); };
-    u.map = parameterize_disc(u.disc, options);
+    u.map = parameterize_disc(u.disc, options, [&](double done) { run.progress(Stage::PARAMETERIZE, done); });
   });
 }
 

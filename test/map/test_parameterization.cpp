@@ -2,9 +2,11 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include <meridian/base/Bounding_box.h>
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/field/edge_weights.h>
@@ -244,6 +246,11 @@ BOOST_DATA_TEST_CASE(every_method_gives_a_map_without_flipped_faces, data::xrang
     Map_options options;
     options.method = all<Map_method>()[m];
     options.border = border;
+    if (border != Map_border::FREE && !takes(options.method, border))
+    {
+      BOOST_CHECK_THROW(pipeline::map(disc, options), Invalid_input_error);
+      continue;
+    }
     const Parameterization p = pipeline::map(disc, options);
     BOOST_TEST_CONTEXT(samples()[i].first << ' ' << name_of(options.method) << ' ' << name_of(border))
     {
@@ -281,6 +288,36 @@ BOOST_AUTO_TEST_CASE(a_border_that_is_fixed_stays_to_the_bit)
   BOOST_TEST(p.distortion.stretch_l2 < 0.8 * pipeline::map(disc, options).distortion.stretch_l2);
   options = {};
   BOOST_TEST(pipeline::map(disc, options).distortion.stretch_l2 < p.distortion.stretch_l2);
+}
+
+BOOST_AUTO_TEST_CASE(polygons_that_would_be_ignored_are_refused)
+{
+  const Triangle_surface disc = disc_of(sample::bitorus(20));
+  Map_options options;
+  options.border = Map_border::SQUARE;
+  options.loop = boundary_loops(disc).front();
+  BOOST_CHECK_THROW(pipeline::map(disc, options), Invalid_input_error); // a border without places
+  options.polygon = place_on_circle(places_along(disc, options.loop));
+  for (const Map_method method : all<Map_method>())
+  {
+    options.method = method;
+    if (!takes(method, options.border) || !takes_polygon(method))
+    {
+      BOOST_CHECK_THROW(check(options), Invalid_input_error);
+      continue;
+    }
+    const Parameterization p = pipeline::map(disc, options);
+    Bounding_box<Plane_point> box(options.polygon.front());
+    for (const Plane_point& q : options.polygon) { box.add(q); }
+    const double size = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+    for (std::size_t i = 0; i < options.loop.size(); ++i)
+    {
+      const Plane_point wanted = 1 / size * (options.polygon[i] - box.low);
+      BOOST_TEST(norm(p.at[disc.source(options.loop[i])] - wanted) < 1e-12);
+    }
+  }
+  options.border = Map_border::CIRCLE;
+  BOOST_CHECK_THROW(check(options), Invalid_input_error);
 }
 
 // Each step lowers the energy, and the image stays a simple polygon without flipped faces. The last map is stationary.

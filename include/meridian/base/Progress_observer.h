@@ -69,6 +69,10 @@ public:
 };
 
 /// \ingroup PkgMeridianProgress
+/// told by a function that works alone how much of it is done, from 0 to 1; may throw to end it. May be empty.
+using Progress = std::function<void(double)>;
+
+/// \ingroup PkgMeridianProgress
 /// how long each stage took, in seconds.
 using Stage_times = std::vector<std::pair<Stage, double>>;
 

@@ -2,10 +2,9 @@
 #ifndef MERIDIAN_CURVES_TIGHTEN_CURVES_H
 #define MERIDIAN_CURVES_TIGHTEN_CURVES_H
 
+#include <meridian/base/Progress_observer.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
-
-#include <functional>
 
 namespace meridian {
 
@@ -15,8 +14,7 @@ struct Tighten_options
 {
   /// a round or pass that shortens by less than this part of the length is the last
   double least_gain = 1e-4;
-  int rounds = 20, passes = 200;        ///< at most: through all curves; moves of one curve in one round
-  std::function<void(double)> progress; ///< told how much is done, from 0 to 1; may throw to end the run
+  int rounds = 20, passes = 200; ///< at most: through all curves; moves of one curve in one round
 };
 
 namespace internal {
@@ -38,11 +36,13 @@ double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& opti
  *
  * \param curves the curves; their crossings are replaced and placed
  * \param options see there
+ * \param progress told how much is done
  * \returns the sum of their lengths
  * \par Complexity
  * Linear in the crossings of a curve for each of its passes
  */
-double tighten_curves(Normal_curves& curves, const Tighten_options& options = Tighten_options());
+double tighten_curves(Normal_curves& curves, const Tighten_options& options = Tighten_options(),
+                      const Progress& progress = {});
 
 } // namespace meridian
 

@@ -2,10 +2,10 @@
 #ifndef MERIDIAN_CUT_EDGE_CUTS_H
 #define MERIDIAN_CUT_EDGE_CUTS_H
 
+#include <meridian/base/Progress_observer.h>
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
 
-#include <functional>
 #include <vector>
 
 namespace meridian {
@@ -52,7 +52,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base);
  *
  * \param s the surface
  * \param bases how many base points; from the number of vertices on, all are taken
- * \param progress told after each base how much is done, from 0 to 1; may throw to end the run
+ * \param progress told after each base how much is done
  *
  * \pre `s` is connected
  * \post as of `cut_by_tree_cotree()`
@@ -60,8 +60,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base);
  * \par Complexity
  * \f$ O(n \log n) \f$ for each base
  */
-std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases = 16,
-                                              const std::function<void(double)>& progress = {});
+std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases = 16, const Progress& progress = {});
 
 /*!
  * \ingroup PkgMeridianCut

@@ -2,11 +2,11 @@
 #ifndef MERIDIAN_CUT_LINK_BOUNDARIES_H
 #define MERIDIAN_CUT_LINK_BOUNDARIES_H
 
+#include <meridian/base/Progress_observer.h>
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
 
-#include <functional>
 #include <vector>
 
 namespace meridian {
@@ -24,11 +24,8 @@ struct Link_guide
 /// how boundaries are joined.
 struct Link_options
 {
-  std::vector<Link_guide> guides; ///< taken first, as far as no seam is in the way
-  bool bifurcations = false;      ///< whether a link may end on an earlier link
-  Index source = -1;              ///< a root vertex that the links shall pass through, or -1
-  /// told after each link how much is done, from 0 to 1; may throw to end the run
-  std::function<void(double)> progress;
+  bool bifurcations = false; ///< whether a link may end on an earlier link
+  Index source = -1;         ///< a root vertex that the links shall pass through, or -1
 };
 
 /*!
@@ -46,6 +43,8 @@ struct Link_options
  * \param root the surface that `s` refines
  * \param s the surface. The links are inserted and flagged.
  * \param options see there
+ * \param guides ways that are taken first, as far as no seam is in the way
+ * \param progress told after each link how much is done
  *
  * \returns the links as vertices of `s`
  * \pre cutting `s` along its seams leaves a connected surface of genus 0
@@ -55,7 +54,9 @@ struct Link_options
  * \f$ O(n \log n) \f$, plus the size of two cells for each link that meets an earlier one
  */
 std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
-                                                const Link_options& options = Link_options());
+                                                const Link_options& options = Link_options(),
+                                                const std::vector<Link_guide>& guides = {},
+                                                const Progress& progress = {});
 
 } // namespace meridian
 

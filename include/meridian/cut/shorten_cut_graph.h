@@ -45,6 +45,7 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
  * \param root the surface
  * \param paths the graph: vertices joined by edges inside the surface, as from `seam_paths()`
  * \param options see there
+ * \param progress told how much is done
  *
  * \returns the curves of the graph, not longer than it was; their ends are vertices of `root`
  * \pre `root` is connected; cutting along the paths leaves one disc; no path dangles
@@ -54,7 +55,8 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
  * crossings of the curves that a move changes
  */
 std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
-                                             const Tighten_options& options = Tighten_options());
+                                             const Tighten_options& options = Tighten_options(),
+                                             const Progress& progress = {});
 
 } // namespace meridian
 

@@ -24,8 +24,7 @@ enum class Map_method
 };
 
 /// \ingroup PkgMeridianParameterization
-/// where the border of the disc goes. `FREE` is for `SYMMETRIC_DIRICHLET`, `LSCM` and `ARAP`, which last two have no
-/// other; it means `CIRCLE` to the others.
+/// where the border of the disc goes. `FREE` means `CIRCLE` to methods that cannot leave it free.
 enum class Map_border
 {
   FREE,
@@ -58,6 +57,21 @@ template <> struct Names<Map_border>
     {Map_border::SQUARE, "square", "on a square"},
   }};
 };
+
+/// \ingroup PkgMeridianParameterization
+/// \returns whether a method can leave the border free, or put it on a circle or square
+constexpr bool takes(Map_method method, Map_border border)
+{
+  const bool is_always_free = method == Map_method::LSCM || method == Map_method::ARAP;
+  return border == Map_border::FREE ? is_always_free || method == Map_method::SYMMETRIC_DIRICHLET : !is_always_free;
+}
+
+/// \ingroup PkgMeridianParameterization
+/// \returns whether a method can put the border on a convex polygon that is given
+constexpr bool takes_polygon(Map_method method)
+{
+  return method == Map_method::SYMMETRIC_DIRICHLET || method == Map_method::POSITIVE || method == Map_method::STRETCH;
+}
 
 } // namespace meridian
 

@@ -8,7 +8,6 @@
 #include <meridian/map/distortion.h>
 #include <meridian/surface/Triangle_surface.h>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -21,13 +20,17 @@ struct Map_options
   Map_method method = Map_method::SYMMETRIC_DIRICHLET;
   Map_border border = Map_border::FREE;
   std::vector<Index> loop = {}; ///< the border as halfedges, counterclockwise, and
-  /// where the source of each goes, on a convex polygon, in place of a circle or square; or both empty. For
-  /// `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
+  /// where the source of each goes, on a convex polygon, in place of a square; or both empty
   std::vector<Plane_point> polygon = {};
-  std::function<void(double)> progress = {}; ///< receives the part done; may throw to cancel
   /// for `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
   Make_solver make_solver = make_symmetric_solver;
 };
+
+/// \ingroup PkgMeridianParameterization
+/// checks whether choices about a map go together.
+/// \throws Invalid_input_error if the method cannot put the border where it is asked to, or if loop and polygon do not
+///   go together or would be ignored
+void check(const Map_options& options);
 
 /// \ingroup PkgMeridianParameterization
 /// a map that was tried.
@@ -55,27 +58,6 @@ struct Parameterization
   std::vector<Face_distortion> faces;
   Distortion distortion;
 };
-
-/*!
- * \ingroup PkgMeridianParameterization
- *
- * maps a disc into the plane.
- *
- * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a
- * free border, then averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with
- * weights changed until stretch is low; after a square, whose sides may hold all corners of a face, a circle, unless a
- * polygon is given.
- *
- * \param disc the surface
- * \param options see there
- *
- * \returns the first map without flipped faces, or, if there is none, that with the fewest
- * \pre `disc` is a disc
- * \par Complexity
- * One factorization for linear methods, two for each step of `ARAP`, and one of twice the size for each of
- * `SYMMETRIC_DIRICHLET`.
- */
-Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options = Map_options());
 
 } // namespace meridian
 

@@ -2,12 +2,12 @@
 #ifndef MERIDIAN_MAP_MINIMIZE_DISTORTION_H
 #define MERIDIAN_MAP_MINIMIZE_DISTORTION_H
 
+#include <meridian/base/Progress_observer.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/Sparse_solver.h>
 #include <meridian/map/internal/dirichlet_energy.h>
 #include <meridian/surface/Triangle_surface.h>
 
-#include <functional>
 #include <vector>
 
 namespace meridian {
@@ -19,8 +19,7 @@ struct Distortion_options
   int iterations = 100; ///< at most
   /// it ends when no more than this part of the energy can be gained by a step
   double least_gain = 5e-4;
-  bool has_free_border = true;               ///< whether the border may move
-  std::function<void(double)> progress = {}; ///< receives the part of `iterations` done; may throw to cancel
+  bool has_free_border = true; ///< whether the border may move
   Make_solver make_solver = make_symmetric_solver;
 };
 
@@ -80,7 +79,7 @@ private:
  * One factorization of twice as many equations as vertices for each step.
  */
 void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at,
-                         const Distortion_options& options = Distortion_options());
+                         const Distortion_options& options = Distortion_options(), const Progress& progress = {});
 
 } // namespace meridian
 

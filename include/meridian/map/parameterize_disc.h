@@ -2,19 +2,35 @@
 #ifndef MERIDIAN_MAP_PARAMETERIZE_DISC_H
 #define MERIDIAN_MAP_PARAMETERIZE_DISC_H
 
+#include <meridian/base/Progress_observer.h>
 #include <meridian/map/Parameterization.h>
 #include <meridian/surface/Triangle_surface.h>
 
 namespace meridian {
 
-/// \ingroup PkgMeridianParameterization
-/// \returns whether a method can leave the border free
-inline bool has_free_border(Map_method m)
-{
-  return m == Map_method::SYMMETRIC_DIRICHLET || m == Map_method::LSCM || m == Map_method::ARAP;
-}
-
-Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options);
+/*!
+ * \ingroup PkgMeridianParameterization
+ *
+ * maps a disc into the plane.
+ *
+ * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a
+ * free border, then averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with
+ * weights changed until stretch is low; after a square, whose sides may hold all corners of a face, a circle, unless a
+ * polygon is given.
+ *
+ * \param disc the surface
+ * \param options see there
+ * \param progress told how much is done of maps of low distortion
+ *
+ * \returns the first map without flipped faces, or, if there is none, that with the fewest
+ * \pre `disc` is a disc
+ * \throws Invalid_input_error as `check()`, Solver_error if no method gives a map
+ * \par Complexity
+ * One factorization for linear methods, two for each step of `ARAP`, and one of twice the size for each of
+ * `SYMMETRIC_DIRICHLET`.
+ */
+Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options = Map_options(),
+                                   const Progress& progress = {});
 
 } // namespace meridian
 

@@ -59,9 +59,8 @@ std::vector<Dual_loop> choose_basis(std::vector<Dual_loop> loops, std::size_t wa
 
 // Candidates for a short basis: the loops that make one from each of several faces far apart, and others; of these the
 // shortest.
-template <class Progress>
-std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted,
-                                       const std::vector<std::vector<Passing>>& others, const Progress& progress)
+inline std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted,
+                                              const std::vector<std::vector<Passing>>& others, const Progress& progress)
 {
   const Closed_model g = make_closed_model(s);
   const Node_tree tree(s, g);
