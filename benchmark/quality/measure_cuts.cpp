@@ -130,12 +130,15 @@ struct Way
   Cut_options options() const
   {
     Cut_options o;
-    o.method = method, o.tightening = tightening, o.on_edges = on_edges, o.bases = bases;
+    o.method = method;
+    if (auto* tree_cotree = std::get_if<By_tree_cotree>(&o.method)) { tree_cotree->bases = bases; }
+    o.tightening = tightening;
+    o.on_edges = on_edges;
     return o;
   }
   std::string name() const // two columns
   {
-    return std::string(name_of(method)) + (bases == 1 ? ", one base\t" : "\t") + name_of(tightening)
+    return name_of(method) + (bases == 1 ? ", one base\t" : "\t") + name_of(tightening)
            + (on_edges ? ", on edges" : "");
   }
 };
@@ -193,23 +196,15 @@ void print_mesh(const Mesh& m)
 }
 
 const Way all_ways[] = {
-  {Cut_method::CONTOURS, Tightening::NONE},
-  {Cut_method::CONTOURS, Tightening::CURVES},
-  {Cut_method::CONTOURS, Tightening::GRAPH},
-  {Cut_method::CONTOURS, Tightening::CURVES, true},
-  {Cut_method::CONTOURS, Tightening::GRAPH, true},
-  {Cut_method::GENERATORS, Tightening::NONE},
-  {Cut_method::GENERATORS, Tightening::CURVES},
-  {Cut_method::GENERATORS, Tightening::GRAPH},
-  {Cut_method::MORSE, Tightening::NONE},
-  {Cut_method::MORSE, Tightening::GRAPH}, // flow lines stay as they are
-  {Cut_method::GEODESIC, Tightening::NONE},
-  {Cut_method::GEODESIC, Tightening::CURVES},
-  {Cut_method::GEODESIC, Tightening::GRAPH},
-  {Cut_method::TREE_COTREE, Tightening::NONE},
-  {Cut_method::TREE_COTREE, Tightening::GRAPH}, // there are no meridians
-  {Cut_method::GEOMETRY_IMAGE, Tightening::NONE},
-  {Cut_method::GEOMETRY_IMAGE, Tightening::GRAPH},
+  {By_contours(), Tightening::NONE},        {By_contours(), Tightening::CURVES},
+  {By_contours(), Tightening::GRAPH},       {By_contours(), Tightening::CURVES, true},
+  {By_contours(), Tightening::GRAPH, true}, {By_generators(), Tightening::NONE},
+  {By_generators(), Tightening::CURVES},    {By_generators(), Tightening::GRAPH},
+  {By_flow_lines(), Tightening::NONE},      {By_flow_lines(), Tightening::GRAPH}, // flow lines stay as they are
+  {By_distance(), Tightening::NONE},        {By_distance(), Tightening::CURVES},
+  {By_distance(), Tightening::GRAPH},       {By_tree_cotree(), Tightening::NONE},
+  {By_tree_cotree(), Tightening::GRAPH}, // there are no meridians
+  {By_removing_faces(), Tightening::NONE},  {By_removing_faces(), Tightening::GRAPH},
 };
 
 int measure_methods(const std::vector<Mesh>& meshes, double limit)
@@ -225,7 +220,9 @@ int measure_methods(const std::vector<Mesh>& meshes, double limit)
       Attempt a;
       if (is_late && way.tightening == Tightening::GRAPH) { a.verdict = "left out, as with contours it took too long"; }
       else { a = attempt(mesh.surface, way, limit, 3); }
-      is_late = is_late || (a.is_late && way.method == Cut_method::CONTOURS && way.tightening == Tightening::GRAPH);
+      is_late =
+        is_late
+        || (a.is_late && std::holds_alternative<By_contours>(way.method) && way.tightening == Tightening::GRAPH);
       wrong += a.is_wrong;
       print_mesh(mesh);
       std::printf("\t%s", way.name().c_str());
@@ -296,8 +293,9 @@ int measure_families(const std::vector<Mesh>& meshes, double limit)
     Shape plain[2];
     for (int i = 0; i < 2; ++i)
     {
-      const Attempt a = attempt(
-        mesh.surface, {i == 0 ? Cut_method::TREE_COTREE : Cut_method::GEOMETRY_IMAGE, Tightening::NONE}, limit, 1);
+      const Attempt a =
+        attempt(mesh.surface,
+                {i == 0 ? Cut_method(By_tree_cotree()) : Cut_method(By_removing_faces()), Tightening::NONE}, limit, 1);
       wrong += a.is_wrong;
       if (a.cut) { plain[i] = measure_shape(mesh.surface, *a.cut); }
     }
@@ -397,15 +395,15 @@ Triangle_surface bitorus_with_handle_at(int cells, int place)
 }
 
 const Way stable_ways[] = {
-  {Cut_method::CONTOURS, Tightening::NONE},
-  {Cut_method::CONTOURS, Tightening::CURVES},
-  {Cut_method::CONTOURS, Tightening::GRAPH},
-  {Cut_method::GEODESIC, Tightening::CURVES},
-  {Cut_method::TREE_COTREE, Tightening::NONE, false, 1},
-  {Cut_method::TREE_COTREE, Tightening::NONE},
-  {Cut_method::TREE_COTREE, Tightening::GRAPH},
-  {Cut_method::GEOMETRY_IMAGE, Tightening::NONE},
-  {Cut_method::GEOMETRY_IMAGE, Tightening::GRAPH},
+  {By_contours(), Tightening::NONE},
+  {By_contours(), Tightening::CURVES},
+  {By_contours(), Tightening::GRAPH},
+  {By_distance(), Tightening::CURVES},
+  {By_tree_cotree(), Tightening::NONE, false, 1},
+  {By_tree_cotree(), Tightening::NONE},
+  {By_tree_cotree(), Tightening::GRAPH},
+  {By_removing_faces(), Tightening::NONE},
+  {By_removing_faces(), Tightening::GRAPH},
 };
 
 // How much cuts changed, in percent: their length, and their place over the square root of the area.

@@ -16,13 +16,13 @@ Stage_scope::Stage_scope(Progress_observer* observer, Stage stage) : m_observer(
     throw Cancelled(std::string("cancelled during stage '") + name_of(m_stage) + "'");
 }
 
+} // namespace internal
+
 void Stage_runner::progress(Stage stage, double done) const
 {
   if (!observer) { return; }
   observer->stage_progressed(stage, done);
   if (!observer->go_further()) { throw Cancelled(std::string("cancelled during stage '") + name_of(stage) + "'"); }
 }
-
-} // namespace internal
 
 } // namespace meridian

@@ -5,7 +5,9 @@
 #include <meridian/field/Node_order.h>
 #include <meridian/field/critical_points.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/field/eigenfunctions.h>
 #include <meridian/field/intrinsic_delaunay.h>
+#include <meridian/field/solve_field.h>
 #include <meridian/field/solve_harmonic_field.h>
 #include <meridian/surface/check_surface.h>
 #include <meridian/surface/measures.h>
@@ -13,13 +15,15 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
+#include <variant>
 
 namespace meridian {
 
-Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m, const Field_options& options)
+Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m)
 {
   Field_summary f;
-  f.field_kind = options.values.empty() ? "harmonic" : options.values_name;
+  f.field_kind = m.field_name;
   f.critical = m.critical;
   f.counts = count(m.critical);
   for (Critical_point& p : f.critical)
@@ -86,62 +90,109 @@ void keep_one_maximum(const Ordered_surface& m, std::vector<Index>& minima, std:
   maxima = {maxima.empty() ? order.nodes.back() : *std::max_element(maxima.begin(), maxima.end(), lower)};
 }
 
-} // namespace
-
-Ordered_surface order_surface(const Triangle_surface& root, const Field_options& options, const Run_stage& run)
+std::pair<Index, Index> sorted(const std::pair<Index, Index>& ends)
 {
-  check(root, options);
-  Ordered_surface m;
-  std::vector<Dirichlet_value> prescribed;
-  std::vector<Index> minima, maxima;
-  run(Stage::EXTREMA, [&] {
-    m.surface = divide_chords(root);
-    m.graph = make_closed_model(m.surface);
-    if (options.minima.empty() && options.maxima.empty() && options.values.empty())
+  return {std::min(ends.first, ends.second), std::max(ends.first, ends.second)};
+}
+
+// The stages on the way to an order of a surface.
+class Surface_order
+{
+public:
+  Surface_order(const Triangle_surface& root, const Order_options& options)
+    : m_root(root), m_options(options), m_harmonic(std::get_if<Harmonic_field>(&options.field))
+  {}
+
+  // Makes the model, and takes or finds the extrema.
+  void prepare()
+  {
+    m_result.surface = divide_chords(m_root);
+    m_result.graph = make_closed_model(m_result.surface);
+    if (m_harmonic && m_options.minima.empty()) { find_extrema(*m_harmonic); }
+    else
     {
-      const auto [a, b] = find_distant_nodes(m.surface, m.graph);
-      minima = {std::min(a, b)};
-      maxima = {std::max(a, b)};
+      for (Index v : m_options.minima) { m_minima.push_back(m_result.graph.node[v]); }
+      for (Index v : m_options.maxima) { m_maxima.push_back(m_result.graph.node[v]); }
     }
-    for (Index v : options.minima) { minima.push_back(m.graph.node[v]); }
-    for (Index v : options.maxima) { maxima.push_back(m.graph.node[v]); }
-    for (auto* nodes : {&minima, &maxima})
+    for (auto* nodes : {&m_minima, &m_maxima})
     {
       std::sort(nodes->begin(), nodes->end());
       nodes->erase(std::unique(nodes->begin(), nodes->end()), nodes->end());
     }
-    for (Index a : maxima)
-      if (std::binary_search(minima.begin(), minima.end(), a))
+    for (Index a : m_maxima)
+      if (std::binary_search(m_minima.begin(), m_minima.end(), a))
         throw Invalid_input_error(
           "a minimum and a maximum of the field lie on "
-          + std::string(m.graph.is_loop(a) ? "one boundary loop, which is one place of the field" : "the same vertex")
-          + " (vertex " + std::to_string(m.graph.representative[a]) + "); choose them apart");
-    for (Index a : minima) { prescribed.push_back({a, 0}); }
-    for (Index a : maxima) { prescribed.push_back({a, 1}); }
-  });
-  run(Stage::FIELD, [&] {
-    if (!options.values.empty())
+          + std::string(m_result.graph.is_loop(a) ? "one boundary loop, which is one place of the field"
+                                                  : "the same vertex")
+          + " (vertex " + std::to_string(m_result.graph.representative[a]) + "); choose them apart");
+  }
+
+  void make_field()
+  {
+    Given_field given = solve_field(m_root, m_options.field, m_options.solvers);
+    m_result.field_name = std::move(given.name);
+    m_result.field = m_harmonic ? solve_harmonic(*m_harmonic)
+                                : internal::field_of_values(m_root, m_result.surface, m_result.graph, given.values);
+  }
+
+  void order()
+  {
+    if (m_options.one_maximum && m_maxima.size() != 1) { keep_one_maximum(m_result, m_minima, m_maxima); }
+    order_by_field(m_root, m_result, m_minima, m_maxima);
+  }
+
+  Ordered_surface take_result() { return std::move(m_result); }
+
+private:
+  void find_extrema(const Harmonic_field& field)
+  {
+    const Closed_model& g = m_result.graph;
+    std::pair<Index, Index> ends;
+    if (field.extrema == Extrema::CURVED)
     {
-      m.field = internal::field_of_values(root, m.surface, m.graph, options.values);
-      return;
+      const auto [low, high] = find_curved_vertices(m_root, 4, field.weights, m_options.solvers.symmetric);
+      ends = {g.node[low], g.node[high]};
     }
-    if (options.weights == Weights::INTRINSIC_DELAUNAY)
+    else { ends = sorted(find_distant_nodes(m_result.surface, g)); }
+    m_minima = {ends.first};
+    m_maxima = {ends.second};
+  }
+
+  Scalar_field solve_harmonic(const Harmonic_field& field) const
+  {
+    const Refined_surface& s = m_result.surface;
+    const Closed_model& g = m_result.graph;
+    std::vector<Dirichlet_value> prescribed;
+    for (Index a : m_minima) { prescribed.push_back({a, 0}); }
+    for (Index a : m_maxima) { prescribed.push_back({a, 1}); }
+    const Solvers& solvers = m_options.solvers;
+    if (field.weights == Weights::INTRINSIC_DELAUNAY)
     {
-      const Weighted_graph joined = make_intrinsic_delaunay_graph(m.surface);
-      m.field =
-        solve_harmonic_field(m.surface, m.graph, joined.graph, joined.weights, prescribed, options.solvers.symmetric);
-      return;
+      const Weighted_graph joined = make_intrinsic_delaunay_graph(s);
+      return solve_harmonic_field(s, g, joined.graph, joined.weights, prescribed, solvers.symmetric);
     }
-    const auto weights = edge_weights(m.surface, options.weights);
-    m.field = solve_harmonic_field(m.surface, m.graph, weights, prescribed,
-                                   options.weights == Weights::MEAN_VALUE ? options.solvers.general
-                                                                          : options.solvers.symmetric);
-  });
-  run(Stage::ORDER, [&] {
-    if (options.one_maximum && maxima.size() != 1) { keep_one_maximum(m, minima, maxima); }
-    order_by_field(root, m, minima, maxima);
-  });
-  return m;
+    return solve_harmonic_field(s, g, edge_weights(s, field.weights), prescribed,
+                                field.weights == Weights::MEAN_VALUE ? solvers.general : solvers.symmetric);
+  }
+
+  const Triangle_surface& m_root;
+  const Order_options& m_options;
+  const Harmonic_field* m_harmonic;      // or null
+  std::vector<Index> m_minima, m_maxima; // nodes
+  Ordered_surface m_result;
+};
+
+} // namespace
+
+Ordered_surface order_surface(const Triangle_surface& root, const Order_options& options, const Run_stage& run)
+{
+  check(root, options);
+  Surface_order steps(root, options);
+  run(Stage::EXTREMA, [&] { steps.prepare(); });
+  run(Stage::FIELD, [&] { steps.make_field(); });
+  run(Stage::ORDER, [&] { steps.order(); });
+  return steps.take_result();
 }
 
 } // namespace meridian

@@ -6,7 +6,9 @@
 #include <meridian/field/Laplace_system.h>
 #include <meridian/field/Scalar_field.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/field/eigenfunctions.h>
 #include <meridian/field/order_surface.h>
+#include <meridian/field/solve_field.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace meridian {
@@ -25,8 +28,10 @@ namespace {
 class Free_boundary_order
 {
 public:
-  Free_boundary_order(const Filled_surface& filled, const Field_options& options)
-    : m_filled(filled), m_options(options), m_minima(options.minima), m_maxima(options.maxima)
+  Free_boundary_order(const Triangle_surface& root, const Filled_surface& filled, const Field_options& options,
+                      const Solvers& solvers)
+    : m_root(root), m_filled(filled), m_options(options), m_solvers(solvers),
+      m_harmonic(std::get_if<Harmonic_field>(&options.field)), m_minima(options.minima), m_maxima(options.maxima)
   {}
 
   // Makes the model, and takes or finds the extrema.
@@ -34,10 +39,10 @@ public:
   {
     m_result.surface = Refined_surface(m_filled.surface);
     m_result.graph = make_closed_model(m_result.surface);
-    if (m_options.weights == Weights::INTRINSIC_DELAUNAY && m_options.values.empty())
+    if (m_harmonic && m_harmonic->weights == Weights::INTRINSIC_DELAUNAY)
       throw Invalid_input_error(
         "intrinsic Delaunay weights are made for the closed model; choose others where the boundary is free");
-    if (m_minima.empty() && m_maxima.empty() && m_options.values.empty()) { find_extrema(); }
+    if (m_minima.empty() && m_harmonic) { find_extrema(); }
     for (auto* nodes : {&m_minima, &m_maxima})
     {
       std::sort(nodes->begin(), nodes->end());
@@ -51,8 +56,10 @@ public:
 
   void make_field()
   {
-    if (m_options.values.empty()) { solve_field(); }
-    else { take_values(); }
+    Given_field given = solve_field(m_root, m_options.field, m_solvers);
+    m_result.field_name = std::move(given.name);
+    if (m_harmonic) { solve_harmonic(); }
+    else { take_values(std::move(given.values)); }
     average_over_fans();
   }
 
@@ -63,9 +70,15 @@ public:
 private:
   bool is_middle_of_fan(Index v) const { return v >= m_filled.vertices; } // no place of the surface
 
-  // Two vertices of the surface far from each other.
   void find_extrema()
   {
+    if (m_harmonic->extrema == Extrema::CURVED)
+    {
+      const auto [low, high] = find_curved_vertices(m_root, 4, m_harmonic->weights, m_solvers.symmetric);
+      m_minima = {low};
+      m_maxima = {high};
+      return;
+    }
     const Triangle_surface& s = m_result.surface;
     auto [a, b] = find_distant_nodes(s, m_result.graph);
     for (Index* v : {&a, &b})
@@ -75,21 +88,17 @@ private:
     m_maxima = {std::max(a, b)};
   }
 
-  void take_values()
+  void take_values(std::vector<double> values)
   {
-    std::vector<double> values = m_options.values;
-    if (static_cast<Index>(values.size()) != m_filled.vertices)
-      throw Invalid_input_error("a field has " + std::to_string(values.size()) + " values for "
-                                + std::to_string(m_filled.vertices) + " vertices; it needs one a vertex");
     values.resize(m_result.surface.number_of_vertices(), 0);
     m_result.field = internal::field_of_values(m_filled.surface, m_result.surface, m_result.graph, values);
   }
 
   // Solves for a field that is harmonic between the extrema, over edges of the surface alone.
-  void solve_field()
+  void solve_harmonic()
   {
     const Triangle_surface& s = m_result.surface;
-    auto weights = edge_weights(s, m_options.weights);
+    auto weights = edge_weights(s, m_harmonic->weights);
     for (Index h = 0; h < s.number_of_halfedges(); ++h)
       if (is_middle_of_fan(s.source(h)) || is_middle_of_fan(s.target(h))) { weights[h] = 0; }
     const Closed_model& g = m_result.graph;
@@ -107,9 +116,8 @@ private:
     {
       if (!is_known[v]) { unknown.push_back(v); }
     }
-    const auto& solvers = m_options.solvers;
-    internal::Laplace_system system(g, weights,
-                                    m_options.weights == Weights::MEAN_VALUE ? solvers.general : solvers.symmetric);
+    internal::Laplace_system system(
+      g, weights, m_harmonic->weights == Weights::MEAN_VALUE ? m_solvers.general : m_solvers.symmetric);
     system.solve(
       unknown, [&](Index a) { return field.value[a]; }, field.value);
   }
@@ -130,18 +138,22 @@ private:
     }
   }
 
+  const Triangle_surface& m_root;
   const Filled_surface& m_filled;
   const Field_options& m_options;
+  const Solvers& m_solvers;
+  const Harmonic_field* m_harmonic; // or null
   std::vector<Index> m_minima, m_maxima;
   Ordered_surface m_result;
 };
 
 } // namespace
 
-Ordered_surface order_with_free_boundary(const Filled_surface& filled, const Field_options& options,
-                                         const Run_stage& run)
+Ordered_surface order_with_free_boundary(const Triangle_surface& root, const Filled_surface& filled,
+                                         const Field_options& options, const Solvers& solvers, const Run_stage& run)
 {
-  Free_boundary_order steps(filled, options);
+  check(root, options);
+  Free_boundary_order steps(root, filled, options, solvers);
   run(Stage::EXTREMA, [&] { steps.prepare(); });
   run(Stage::FIELD, [&] { steps.make_field(); });
   run(Stage::ORDER, [&] { steps.order(); });

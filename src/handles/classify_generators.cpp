@@ -33,7 +33,7 @@ bool does_self_intersect(const Triangle_surface& s)
 void classify_generators(const Triangle_surface& root, Generators& generators, Progress_observer* observer)
 {
   if (generators.pairs.empty() || generators.boundary_loops > 0) { return; }
-  const internal::Stage_runner run{observer, generators.seconds};
+  const Stage_runner run{observer, generators.seconds};
   run(Stage::CLASSIFY, [&] {
     std::vector<std::vector<Index>> walks;
     for (const Generator_pair& pair : generators.pairs)

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -146,6 +148,55 @@ std::vector<Dual_loop> choose_basis(std::vector<Dual_loop> loops, std::size_t wa
     if (chosen.size() == wanted) { break; }
   }
   return chosen;
+}
+
+std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted,
+                                       const std::vector<std::vector<Passing>>& others, const Progress& progress)
+{
+  const Closed_model g = make_closed_model(s);
+  const Node_tree tree(s, g);
+  std::vector<double> far(s.number_of_faces(), std::numeric_limits<double>::infinity());
+  std::vector<Dual_loop> all;
+  Index base = 0;
+  for (int i = 0; i < bases; ++i)
+  {
+    auto loops = loops_at(s, g, base, far);
+    all.insert(all.end(), std::make_move_iterator(loops.begin()), std::make_move_iterator(loops.end()));
+    base = static_cast<Index>(std::max_element(far.begin(), far.end()) - far.begin());
+    progress((i + 1.) / bases);
+  }
+  for (const auto& crossings : others)
+  {
+    double length = 0;
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+    {
+      const Passing &a = crossings[i], &b = crossings[(i + 1) % crossings.size()];
+      length += distance(s.point_on(a.halfedge, a.t), s.point_on(b.halfedge, b.t));
+    }
+    all.push_back({crossings, length, length, {}});
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Dual_loop& a, const Dual_loop& b) { return a.length < b.length; });
+  for (Dual_loop& loop : all) { loop.parity = tree.parity_of(loop.crossings); }
+  // Several rounds of the greedy choice, each from what the ones before left.
+  std::vector<Dual_loop> candidates;
+  for (int round = 0; round < 4; ++round)
+  {
+    std::vector<Dual_loop> chosen, left;
+    std::vector<std::pair<std::size_t, boost::dynamic_bitset<>>> reduced;
+    for (Dual_loop& loop : all)
+    {
+      boost::dynamic_bitset<> rest = loop.parity;
+      for (const auto& [bit, row] : reduced)
+      {
+        if (rest[bit]) { rest ^= row; }
+      }
+      const bool is_new = reduced.size() < wanted && rest.any();
+      if (is_new) { reduced.emplace_back(rest.find_first(), rest); }
+      (is_new ? candidates : left).push_back(std::move(loop));
+    }
+    all = std::move(left);
+  }
+  return candidates;
 }
 
 } // namespace internal

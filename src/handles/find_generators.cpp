@@ -243,7 +243,7 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
                                                      Generators& g, std::vector<std::vector<Passing>>* crossings,
                                                      const Filled_surface* filled)
 {
-  static_cast<Field_summary&>(g) = summarize_field(root, m, options);
+  static_cast<Field_summary&>(g) = summarize_field(root, m);
   Generator_search search(root, m, options, run, g, filled);
   run(Stage::CONTOURS, [&] { search.trace_contours(); });
   run(Stage::MERIDIANS, [&] { search.add_meridians(); });
@@ -270,10 +270,9 @@ Generators find_generators(const Triangle_surface& root, const Generator_options
   check_surface(root);
   check(root, options);
   Generators g;
-  const internal::Stage_runner run{options.observer, g.seconds};
+  const Stage_runner run{options.observer, g.seconds};
   g.boundary_loops = static_cast<int>(boundary_loops(root).size());
-  const int characteristic = root.number_of_vertices() - root.number_of_edges() + root.number_of_faces();
-  g.genus = (2 - characteristic - g.boundary_loops) / 2;
+  g.genus = genus(root);
   g.smallest_angle_before = smallest_angle(root);
   g.surface = Refined_surface(root);
   if (g.genus > 0)
@@ -281,12 +280,12 @@ Generators find_generators(const Triangle_surface& root, const Generator_options
     if (options.is_open && g.boundary_loops > 0)
     {
       const Filled_surface filled = fill_boundary(root);
-      const Ordered_surface m = order_with_free_boundary(filled, options, run);
+      const Ordered_surface m = order_with_free_boundary(root, filled, options, options.solvers, run);
       internal::find_generators(root, m, options, run, g, nullptr, &filled);
     }
     else
     {
-      const Ordered_surface m = order_surface(root, options, run);
+      const Ordered_surface m = order_surface(root, {options, false, options.solvers}, run);
       internal::find_generators(root, m, options, run, g);
     }
   }

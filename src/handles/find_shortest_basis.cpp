@@ -164,7 +164,7 @@ std::vector<Dual_loop> find_candidates(const Triangle_surface& root, int genus, 
   pair_options.flow = false;
   pair_options.solvers = options.solvers;
   pair_options.tighten = options.tighten;
-  const Ordered_surface m = order_surface(root, pair_options, run_unwatched);
+  const Ordered_surface m = order_surface(root, {pair_options, false, pair_options.solvers}, run_unwatched);
   Generators pairs;
   pairs.genus = genus;
   Stage_times ignored;
@@ -257,7 +257,7 @@ Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_opt
 {
   check_surface(root);
   Homology_basis basis;
-  const internal::Stage_runner run{options.observer, basis.seconds};
+  const Stage_runner run{options.observer, basis.seconds};
   basis.boundary_loops = static_cast<int>(boundary_loops(root).size());
   const int characteristic = root.number_of_vertices() - root.number_of_edges() + root.number_of_faces();
   basis.genus = (2 - characteristic - basis.boundary_loops) / 2;

@@ -92,7 +92,7 @@ bool Flow_longitudes::add_on_patch(Index i, const Crossing_loop& arc, Index low,
   const Surface_patch patch =
     cut_patch(m_root, faces, faces.front(), reach * arc.length, share * m_root.number_of_faces() / m_saddles.size());
   if (!patch.vertex.count(low) || !patch.vertex.count(high) || low == high) { return false; }
-  Field_options options;
+  Order_options options;
   options.solvers = m_solvers;
   options.minima = {patch.vertex.at(low)};
   options.maxima = {patch.vertex.at(high)};

@@ -10,6 +10,7 @@
 #include <meridian/curves/contours.h>
 #include <meridian/cut/Cut_options.h>
 #include <meridian/cut/join_generators.h>
+#include <meridian/field/Field.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/map/Map_method.h>
 #include <meridian/unwrap/compare_parameterizations.h>
@@ -27,7 +28,7 @@ struct Field_arguments : Common_arguments
   std::vector<Index> minima, maxima; // vertices of the file
   bool has_direction = false, has_from = false, has_extrema = false;
   Weights weights = Weights::POSITIVE;
-  Field_kind field = Field_kind::HARMONIC;
+  Field field; // as it is made, without what the other options say
   Extrema extrema = Extrema::DISTANT;
   std::string values;
   int eigenfunction = 0; // 0: the genus + 1
@@ -42,7 +43,7 @@ struct Cut_arguments : Field_arguments
 {
   Index source = 0;
   bool has_source = false;
-  Cut_method method = Cut_method::CONTOURS;
+  Cut_method method; // as it is made
   Generator_join join = Generator_join::SURFACE;
   Link_domain links = Link_domain::SURFACE;
   bool bifurcations = false;

@@ -10,19 +10,6 @@
 namespace meridian {
 namespace program {
 
-enum class Field_kind
-{
-  HARMONIC,
-  EIGENFUNCTION,
-  DISTANCE
-};
-
-enum class Extrema
-{
-  DISTANT,
-  CURVED
-};
-
 enum class Prefer
 {
   GAUSSIAN_CURVATURE,
@@ -52,23 +39,6 @@ enum class Boundary_mode
 };
 
 } // namespace program
-
-template <> struct Names<program::Field_kind>
-{
-  static constexpr std::array<Named_value<program::Field_kind>, 3> table{{
-    {program::Field_kind::HARMONIC, "harmonic", "between two extrema"},
-    {program::Field_kind::EIGENFUNCTION, "eigenfunction", "of the Laplacian"},
-    {program::Field_kind::DISTANCE, "distance", "the geodesic distance from a vertex"},
-  }};
-};
-
-template <> struct Names<program::Extrema>
-{
-  static constexpr std::array<Named_value<program::Extrema>, 2> table{{
-    {program::Extrema::DISTANT, "distant", "two vertices far apart"},
-    {program::Extrema::CURVED, "curved", "extrema of eigenfunctions with the highest curvature"},
-  }};
-};
 
 template <> struct Names<program::Prefer>
 {

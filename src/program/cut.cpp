@@ -28,6 +28,8 @@
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <type_traits>
+#include <variant>
 
 namespace meridian {
 namespace program {
@@ -39,20 +41,40 @@ double since(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+// Whether a method begins at a vertex that one may name.
+template <class Method> constexpr bool has_source = false;
+template <> constexpr bool has_source<By_distance> = true;
+template <> constexpr bool has_source<By_tree_cotree> = true;
+
+// What a method makes use of.
+struct Method_traits
+{
+  bool has_field = false, has_extrema = false, has_meridians = false, begins_at_vertex = false;
+};
+
+Method_traits traits_of(const Cut_method& method)
+{
+  return std::visit(
+    [](const auto& m) -> Method_traits {
+      using Method = std::decay_t<decltype(m)>;
+      return {std::is_base_of_v<Field_options, Method>, std::is_base_of_v<Chosen_extrema, Method>,
+              std::is_base_of_v<Meridian_options, Method>, has_source<Method>};
+    },
+    method);
+}
+
 // What is chosen whatever the mesh is.
 Cut_options choices_of(const Cut_arguments& a)
 {
   Cut_options o;
   o.method = a.method;
-  o.join = a.join;
   o.tightening = a.tighten;
-  o.weights = a.weights;
-  o.levels = a.levels;
   o.on_edges = a.on_edges;
   o.refine_where_needed = a.refine_where_needed;
-  o.bases = a.bases;
   o.link_domain = a.links;
   o.links.bifurcations = a.bifurcations;
+  if (auto* generators = std::get_if<By_generators>(&o.method)) { generators->join = a.join; }
+  if (auto* tree_cotree = std::get_if<By_tree_cotree>(&o.method)) { tree_cotree->bases = a.bases; }
   return o;
 }
 
@@ -61,13 +83,20 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
 {
   const Surface_component& c = loaded.examination.components[place];
   Cut_options o = choices_of(a);
-  set_field_options(a, loaded, place, o, o.preference, o.levels);
-  const auto local = [&](bool is_given, Index v) {
-    const auto found = is_given ? find_local({v}, c) : std::vector<Index>();
-    return found.empty() ? -1 : found.front();
-  };
-  o.links.source = local(a.has_source, a.source);
-  o.source = local(a.has_from && a.field != Field_kind::DISTANCE, a.from);
+  const Field_options field = field_options(a, loaded, place);
+  std::visit(
+    [&](auto& method) {
+      using Method = std::decay_t<decltype(method)>;
+      if constexpr (std::is_base_of_v<Chosen_extrema, Method>) { static_cast<Chosen_extrema&>(method) = field; }
+      if constexpr (std::is_base_of_v<Field_options, Method>) { method.field = field.field; }
+      if constexpr (std::is_base_of_v<Meridian_options, Method>)
+      {
+        static_cast<Meridian_options&>(method) = meridian_options(a, loaded, place);
+      }
+      if constexpr (has_source<Method>) { method.source = a.has_from ? find_local(a.from, c) : -1; }
+    },
+    o.method);
+  o.links.source = a.has_source ? find_local(a.source, c) : -1;
   return o;
 }
 
@@ -135,15 +164,23 @@ std::vector<Result_curve> name_curves(const std::vector<Cut>& cuts, const Assemb
 void check_cut_arguments(const Cut_arguments& a)
 {
   check_arguments(a);
-  const auto forbid = [](bool is_wrong, const char* message) {
+  const auto forbid = [](bool is_wrong, const std::string& message) {
     if (is_wrong) { throw Usage_error(message); }
   };
+  const Method_traits traits = traits_of(a.method);
+  const std::string method = "method " + name_of(a.method);
+  const bool is_distance = std::holds_alternative<Distance_field>(a.field);
+  forbid(a.join != Generator_join::SURFACE && !std::holds_alternative<By_generators>(a.method),
+         "a way to join pairs goes with method generators; " + method + " has no pairs");
+  forbid(!traits.has_field && (!a.values.empty() || !std::holds_alternative<Harmonic_field>(a.field)),
+         method + " has a field of its own or none; leave out the values");
+  forbid(a.has_from && !is_distance && !traits.begins_at_vertex,
+         "a vertex to begin at goes with method geodesic or tree-cotree, not with " + method);
+  forbid(!traits.has_extrema
+           && (!a.minima.empty() || !a.maxima.empty() || a.weights != Weights::POSITIVE || a.levels != Levels::SADDLE),
+         "methods that cut edges have no field, no meridians and no links; " + method + " is one of them");
   Cut_options choices = choices_of(a);
-  choices.minima = a.minima;
-  choices.maxima = a.maxima;
-  if (!a.values.empty() || a.field != Field_kind::HARMONIC) { choices.values = {0}; } // there will be some
   if (a.has_source) { choices.links.source = a.source; }
-  if (a.has_from && a.field != Field_kind::DISTANCE) { choices.source = a.from; }
   try
   {
     check(choices);
@@ -152,15 +189,13 @@ void check_cut_arguments(const Cut_arguments& a)
   {
     throw Usage_error(e.what());
   }
-  const bool has_meridians = !cuts_edges(a.method) && a.method != Cut_method::MORSE,
-             is_harmonic = !cuts_edges(a.method) && a.method != Cut_method::GEODESIC;
-  forbid((a.method != Cut_method::CONTOURS && a.method != Cut_method::GEODESIC) && a.links == Link_domain::PLANE,
+  forbid(!(traits.has_meridians && !std::holds_alternative<By_generators>(a.method)) && a.links == Link_domain::PLANE,
          "--links plane goes with --method contours or geodesic");
-  forbid(!has_meridians && (a.prefer != Prefer::GAUSSIAN_CURVATURE || a.levels != Levels::SADDLE),
+  forbid(!traits.has_meridians && (a.prefer != Prefer::GAUSSIAN_CURVATURE || a.levels != Levels::SADDLE),
          "this --method has no meridians to choose; leave out --prefer and --levels");
-  forbid(!is_harmonic && (a.weights != Weights::POSITIVE || a.has_extrema),
+  forbid(!traits.has_field && (a.weights != Weights::POSITIVE || a.has_extrema),
          "this --method has a field of its own or none; leave out --weights and --extrema");
-  forbid(a.has_bases && (a.method != Cut_method::TREE_COTREE || a.has_from),
+  forbid(a.has_bases && (!std::holds_alternative<By_tree_cotree>(a.method) || a.has_from),
          "--bases goes with --method tree-cotree, and without --from");
 }
 

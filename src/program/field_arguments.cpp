@@ -8,8 +8,6 @@
 #include <meridian/curves/contours.h>
 #include <meridian/field/Field.h>
 #include <meridian/field/edge_weights.h>
-#include <meridian/field/eigenfunctions.h>
-#include <meridian/field/geodesic_distance.h>
 #include <meridian/handles/preference.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/examine_surface.h>
@@ -20,6 +18,7 @@
 #include <chrono>
 #include <filesystem>
 #include <set>
+#include <variant>
 
 namespace meridian {
 namespace program {
@@ -48,19 +47,20 @@ void check_arguments(const Field_arguments& a)
   };
   const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
   forbid(!(far > 0) || !std::isfinite(far), "--direction must be finite and not 0 0 0");
-  const bool is_harmonic = a.values.empty() && a.field == Field_kind::HARMONIC;
+  const bool has_harmonic = std::holds_alternative<Harmonic_field>(a.field),
+             has_eigenfunction = std::holds_alternative<Eigenfunction_field>(a.field),
+             is_harmonic = a.values.empty() && has_harmonic;
   forbid(a.has_direction && a.prefer != Prefer::POSITION && a.prefer != Prefer::HIDDEN,
          "--direction goes with --prefer position or hidden");
   forbid((a.prefer == Prefer::WEIGHTS) == a.vertex_weights.empty(),
          "--prefer weights and --vertex-weights go together");
-  forbid(!a.values.empty() && a.field != Field_kind::HARMONIC, "--values is a field; leave out --field");
-  forbid(a.eigenfunction > 0 && a.field != Field_kind::EIGENFUNCTION,
-         "--eigenfunction goes with --field eigenfunction");
+  forbid(!a.values.empty() && !has_harmonic, "--values is a field; leave out --field");
+  forbid(a.eigenfunction > 0 && !has_eigenfunction, "--eigenfunction goes with --field eigenfunction");
   forbid(a.has_extrema && (!is_harmonic || !a.minima.empty() || !a.maxima.empty()),
          "--extrema is for harmonic fields, and without --minimum and --maximum");
-  forbid(a.weights != Weights::POSITIVE && (!a.values.empty() || a.field == Field_kind::DISTANCE),
+  forbid(a.weights != Weights::POSITIVE && (!a.values.empty() || std::holds_alternative<Distance_field>(a.field)),
          "--weights goes with fields that are solved for with them: harmonic or eigenfunction");
-  forbid(a.weights == Weights::MEAN_VALUE && (a.field == Field_kind::EIGENFUNCTION || a.extrema == Extrema::CURVED),
+  forbid(a.weights == Weights::MEAN_VALUE && (has_eigenfunction || a.extrema == Extrema::CURVED),
          "eigenfunctions need symmetric weights; mean-value weights are not");
 }
 
@@ -92,6 +92,12 @@ Loaded_mesh load_mesh(const Field_arguments& a)
   return loaded;
 }
 
+Index find_local(Index vertex, const Surface_component& c)
+{
+  const auto found = find_local(std::vector<Index>{vertex}, c);
+  return found.empty() ? -1 : found.front();
+}
+
 std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& c)
 {
   std::vector<Index> found;
@@ -106,7 +112,7 @@ std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_
 namespace {
 
 // The extrema that options name lie on different places of the component.
-void check_extrema(const Field_options& field, const Surface_component& c, std::size_t place)
+void check_extrema(const Chosen_extrema& field, const Surface_component& c, std::size_t place)
 {
   if (field.minima.empty() != field.maxima.empty())
     throw Usage_error("--minimum and --maximum go together: component " + std::to_string(place)
@@ -137,54 +143,46 @@ std::vector<double> local_values(const std::vector<double>& values, const Loaded
   return own;
 }
 
-// The field that options ask for, if it is not harmonic between extrema that are far apart or named.
-void solve_field(const Field_arguments& a, const Loaded_mesh& loaded, const Surface_component& c, Field_options& field)
+// The field that options ask for, on a component.
+Field field_of(const Field_arguments& a, const Loaded_mesh& loaded, const Surface_component& c)
 {
-  if (!a.values.empty()) { field.values = local_values(loaded.values, loaded, c); }
-  else if (a.field == Field_kind::EIGENFUNCTION)
+  if (!a.values.empty()) { return Given_field{local_values(loaded.values, loaded, c)}; }
+  Field field = a.field;
+  if (auto* harmonic = std::get_if<Harmonic_field>(&field)) { *harmonic = {a.weights, a.extrema}; }
+  if (auto* eigenfunction = std::get_if<Eigenfunction_field>(&field)) { *eigenfunction = {a.eigenfunction, a.weights}; }
+  if (auto* distance = std::get_if<Distance_field>(&field))
   {
-    const int i = a.eigenfunction > 0 ? a.eigenfunction : c.genus() + 1;
-    field.values_name = "eigenfunction " + std::to_string(i);
-    field.values = eigenfunction_field(c.surface, i, field.weights);
+    distance->source = a.has_from ? find_local(a.from, c) : -1;
   }
-  else if (a.field == Field_kind::DISTANCE)
-  {
-    const auto from = a.has_from ? find_local({a.from}, c) : std::vector<Index>();
-    const Closed_model g = make_closed_model(c.surface);
-    field.values_name = "distance";
-    field.values = geodesic_distance(
-      c.surface, {from.empty() ? g.representative[find_distant_nodes(c.surface, g).first] : from.front()});
-  }
-  else if (a.extrema == Extrema::CURVED)
-  {
-    const auto [low, high] = find_curved_vertices(c.surface, 4, field.weights);
-    field.minima = {low};
-    field.maxima = {high};
-  }
+  return field;
 }
 
 } // namespace
 
-void set_field_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place, Field_options& field,
-                       Preference& preference, Levels& levels)
+Field_options field_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place)
 {
   const Surface_component& c = loaded.examination.components[place];
-  field.weights = a.weights;
-  field.minima = find_local(a.minima, c);
-  field.maxima = find_local(a.maxima, c);
-  if (c.genus() > 0) { check_extrema(field, c, place); }
-  if (c.genus() > 0) { solve_field(a, loaded, c, field); }
+  Field_options o{{find_local(a.minima, c), find_local(a.maxima, c)}, field_of(a, loaded, c)};
+  if (c.genus() > 0) { check_extrema(o, c, place); }
+  return o;
+}
+
+Meridian_options meridian_options(const Field_arguments& a, const Loaded_mesh& loaded, std::size_t place)
+{
+  const Surface_component& c = loaded.examination.components[place];
   const double far = std::max({std::abs(a.direction[0]), std::abs(a.direction[1]), std::abs(a.direction[2])});
   const Point direction{a.direction[0] / far, a.direction[1] / far, a.direction[2] / far};
-  levels = a.levels;
-  if (a.prefer == Prefer::HIDDEN) { preference = preference::low_weight(visibility(c.surface, direction)); }
+  Meridian_options o;
+  o.levels = a.levels;
+  if (a.prefer == Prefer::HIDDEN) { o.preference = preference::low_weight(visibility(c.surface, direction)); }
   if (a.prefer == Prefer::WEIGHTS)
   {
-    preference = preference::low_weight(local_values(loaded.vertex_weights, loaded, c));
+    o.preference = preference::low_weight(local_values(loaded.vertex_weights, loaded, c));
   }
-  if (a.prefer == Prefer::MEAN_CURVATURE) { preference = preference::mean_curvature; }
-  if (a.prefer == Prefer::LENGTH) { preference = preference::short_length; }
-  if (a.prefer == Prefer::POSITION) { preference = preference::position(direction); }
+  if (a.prefer == Prefer::MEAN_CURVATURE) { o.preference = preference::mean_curvature; }
+  if (a.prefer == Prefer::LENGTH) { o.preference = preference::short_length; }
+  if (a.prefer == Prefer::POSITION) { o.preference = preference::position(direction); }
+  return o;
 }
 
 } // namespace program

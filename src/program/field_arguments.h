@@ -36,13 +36,13 @@ struct Loaded_mesh
 Loaded_mesh load_mesh(const Field_arguments& arguments);
 
 // Those of the vertices of the file that lie on a component, in its numbers.
+Index find_local(Index vertex, const Surface_component& component); // or -1
 std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& component);
 
-// The part of the options for one component that concerns the field and what is preferred. Vertices of the file that
-// the component does not have are left to the others. `place` is its number.
-// Fields are solved for here, where they are not harmonic.
-void set_field_options(const Field_arguments& arguments, const Loaded_mesh& loaded, std::size_t place,
-                       Field_options& field, Preference& preference, Levels& levels);
+// What options say about the field of one component, given by its number, and about its meridians. Vertices of the file
+// that the component does not have are left to the others.
+Field_options field_options(const Field_arguments& arguments, const Loaded_mesh& loaded, std::size_t place);
+Meridian_options meridian_options(const Field_arguments& arguments, const Loaded_mesh& loaded, std::size_t place);
 
 } // namespace program
 } // namespace meridian

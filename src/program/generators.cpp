@@ -39,7 +39,8 @@ namespace {
 Generator_options options_for(const Generator_arguments& a, const Loaded_mesh& loaded, std::size_t place)
 {
   Generator_options o;
-  set_field_options(a, loaded, place, o, o.preference, o.levels);
+  static_cast<Field_options&>(o) = field_options(a, loaded, place);
+  static_cast<Meridian_options&>(o) = meridian_options(a, loaded, place);
   o.is_open = a.mode == Boundary_mode::OPEN;
   o.flow = a.longitudes == Longitudes::FLOW;
   o.tighten = !a.no_tighten;

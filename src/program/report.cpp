@@ -61,11 +61,11 @@ Json report_counts(const Surface_component& c)
 
 namespace {
 
-Json report_field(const Field_summary& f, const Field_options& options)
+Json report_field(const Field_summary& f, Weights weights)
 {
-  return {{"kind", f.field_kind},          {"weights", name_of(options.weights)}, {"mode", "closed"},
-          {"minima", f.counts.minima},     {"maxima", f.counts.maxima},           {"saddles", f.counts.saddles},
-          {"counted_on", "closed model"},  {"order_sweeps", f.order_rounds},      {"order_numbered", f.order_numbered},
+  return {{"kind", f.field_kind},          {"weights", name_of(weights)},    {"mode", "closed"},
+          {"minima", f.counts.minima},     {"maxima", f.counts.maxima},      {"saddles", f.counts.saddles},
+          {"counted_on", "closed model"},  {"order_sweeps", f.order_rounds}, {"order_numbered", f.order_numbered},
           {"flat_regions", f.flat_regions}};
 }
 
@@ -82,7 +82,7 @@ Json report_cut(const Cut& cut, const Surface_component& component, const Compon
                 const Cut_options& options)
 {
   Json r = report_counts(component);
-  r["field"] = report_field(cut, options);
+  r["field"] = report_field(cut, weights_of(options.method));
   std::array<Json, number_of<Curve_kind>> curves;
   for (Json& of_kind : curves) { of_kind = Json::array(); }
   for (const Named_curve& c : cut.curves)
@@ -165,7 +165,7 @@ Json report_generators(const Generators& g, const Surface_component& component, 
                        const Generator_options& options, int first_handle)
 {
   Json r = report_counts(component);
-  r["field"] = report_field(g, options);
+  r["field"] = report_field(g, weights_of(options.field));
   const auto curve = [&](const Generator_curve& c) {
     return Json{{"length", component.unit * c.length},
                 {"length_found", component.unit * c.length_found},

@@ -59,6 +59,12 @@ Curvature curvature(const Triangle_surface& s, Index v)
   return c;
 }
 
+int genus(const Triangle_surface& s)
+{
+  const int characteristic = s.number_of_vertices() - s.number_of_edges() + s.number_of_faces();
+  return (2 - characteristic - static_cast<int>(boundary_loops(s).size())) / 2;
+}
+
 std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& g)
 {
   std::vector<double> lengths;

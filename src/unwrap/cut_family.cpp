@@ -4,6 +4,7 @@
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/cut/cut_to_disc.h>
+#include <meridian/field/Field.h>
 #include <meridian/field/eigenfunctions.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/result/recount.h>
@@ -16,6 +17,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace meridian {
@@ -63,42 +65,33 @@ std::optional<Family_member> Cut_family::next()
 
 namespace {
 
-std::string name_contours(Cut_options& o, const std::string& name)
+// The options' method becomes contours, with the field and choices it had as far as they go with that.
+By_contours& take_contours(Cut_options& o)
 {
-  o = with_method(std::move(o), Cut_method::CONTOURS);
-  return name;
+  o = with_method(std::move(o), By_contours());
+  return std::get<By_contours>(o.method);
 }
 
 // Contours of an eigenfunction.
-std::string choose_eigenfunction(const Triangle_surface& root, int k, Cut_options& o)
+std::string choose_eigenfunction(int k, By_contours& contours)
 {
-  o.values = eigenfunction_field(root, k);
-  o.values_name = "eigenfunction " + std::to_string(k);
-  o.minima.clear();
-  o.maxima.clear();
-  return name_contours(o, o.values_name);
+  static_cast<Field_options&>(contours) = {{}, Eigenfunction_field{k}};
+  return "eigenfunction " + std::to_string(k);
 }
 
-void choose_short_and_tight(Cut_options& o)
+void choose_short_and_tight(By_contours& contours)
 {
-  o.preference = preference::short_length;
-  o.levels = Levels::TIGHT;
+  contours.preference = preference::short_length;
+  contours.levels = Levels::TIGHT;
 }
 
-// Contours of a harmonic field between two vertices.
-void choose_ends(Index minimum, Index maximum, Cut_options& o)
+// Short and tight contours of a harmonic field between two vertices.
+void choose_ends(Index minimum, Index maximum, By_contours& contours)
 {
-  o.minima = {minimum};
-  o.maxima = {maximum};
-  o.values.clear();
-  choose_short_and_tight(o);
-}
-
-int genus_of(const Triangle_surface& root)
-{
-  return (2 - (root.number_of_vertices() - root.number_of_edges() + root.number_of_faces())
-          - static_cast<int>(boundary_loops(root).size()))
-         / 2;
+  contours.field = Harmonic_field{weights_of(contours.field)};
+  contours.minima = {minimum};
+  contours.maxima = {maximum};
+  choose_short_and_tight(contours);
 }
 
 } // namespace
@@ -108,30 +101,30 @@ std::string Cut_family::choose(int i, Cut_options& o)
   switch (i)
   {
   case 0: return "as chosen";
-  case 1: choose_short_and_tight(o); return name_contours(o, "harmonic, short and tight");
-  case 2: o = with_method(std::move(o), Cut_method::TREE_COTREE); return "tree-cotree";
-  case 3: o = with_method(std::move(o), Cut_method::GEODESIC); return "geodesic";
-  case 4: o = with_method(std::move(o), Cut_method::GEOMETRY_IMAGE); return "geometry-image";
-  case 5: return choose_eigenfunction(m_root, genus_of(m_root) + 1, o);
-  case 6: o = with_method(std::move(o), Cut_method::GENERATORS); return "generators";
-  case 7: o = with_method(std::move(o), Cut_method::MORSE); return "morse";
+  case 1: choose_short_and_tight(take_contours(o)); return "harmonic, short and tight";
+  case 2: o = with_method(std::move(o), By_tree_cotree()); return name_of(o.method);
+  case 3: o = with_method(std::move(o), By_distance()); return name_of(o.method);
+  case 4: o = with_method(std::move(o), By_removing_faces()); return name_of(o.method);
+  case 5: return choose_eigenfunction(genus(m_root) + 1, take_contours(o));
+  case 6: o = with_method(std::move(o), By_generators()); return name_of(o.method);
+  case 7: o = with_method(std::move(o), By_flow_lines()); return name_of(o.method);
   case 8:
   {
     const auto [a, b] = find_curved_vertices(m_root);
-    choose_ends(a, b, o);
-    return name_contours(o, "harmonic between curved vertices");
+    choose_ends(a, b, take_contours(o));
+    return "harmonic between curved vertices";
   }
-  case 9: o.preference = preference::mean_curvature; return name_contours(o, "harmonic, mean curvature");
-  case 10: choose_short_and_tight(o); return choose_eigenfunction(m_root, 1, o);
+  case 9: take_contours(o).preference = preference::mean_curvature; return "harmonic, mean curvature";
+  case 10: choose_short_and_tight(take_contours(o)); return choose_eigenfunction(1, take_contours(o));
   case 11:
+    choose_short_and_tight(take_contours(o));
     o.links.bifurcations = true;
-    choose_short_and_tight(o);
-    return name_contours(o, "harmonic, with bifurcations");
+    return "harmonic, with bifurcations";
   default: break;
   }
   const auto [v, w] = spread_pair(i - 12);
-  choose_ends(v, w, o);
-  return name_contours(o, "harmonic between vertices " + std::to_string(v) + " and " + std::to_string(w));
+  choose_ends(v, w, take_contours(o));
+  return "harmonic between vertices " + std::to_string(v) + " and " + std::to_string(w);
 }
 
 std::pair<Index, Index> Cut_family::spread_pair(int k)

@@ -310,8 +310,10 @@ BOOST_AUTO_TEST_CASE(cut_graphs_from_generators_and_flow_lines_leave_discs)
   for (int k = 0; k < 4; ++k)
   {
     Cut_options options;
-    options.method = k == 3 ? Cut_method::MORSE : Cut_method::GENERATORS;
-    options.join = k == 1 ? Generator_join::COMPLEX : k == 2 ? Generator_join::SADDLES : Generator_join::SURFACE;
+    By_generators by_generators;
+    by_generators.join = k == 1 ? Generator_join::COMPLEX : k == 2 ? Generator_join::SADDLES : Generator_join::SURFACE;
+    options.method = by_generators;
+    if (k == 3) { options.method = By_flow_lines(); }
     const auto v = verify_cut(s, pipeline::cut(s, options));
     for (const auto& failure : v.failures) { BOOST_TEST_MESSAGE(failure); }
     BOOST_TEST(v.failures.size() == 0u);

@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_cut_into_a_disc, TriangleMesh, Mesh_type
   const auto tm = build_mesh<TriangleMesh>(sample::noisy(sample::plate(2, 3), 0.1, 1));
   TriangleMesh disc;
   Cut_options options;
-  options.preference = preference::short_length;
+  std::get<By_contours>(options.method).preference = preference::short_length;
   const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options));
   BOOST_TEST(curves_of(cut, Curve_kind::MERIDIAN).size() == 2u);
   BOOST_TEST(CGAL::is_valid_polygon_mesh(disc));
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE(points_may_lie_in_a_map_of_the_caller)
   }
   const auto map = boost::make_assoc_property_map(points);
   Cut_options options;
-  options.preference = preference::short_length;
+  std::get<By_contours>(options.method).preference = preference::short_length;
   Mesh disc, expected;
   const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options).vertex_point_map(map));
   BOOST_TEST((cut.surface.points == cut_to_disc(own, expected, parameters::cut_options(options)).surface.points));
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_refined_along_its_cut_in_place, Triangle
     for (const bool on_edges : {false, true})
     {
       Cut_options options;
-      options.preference = preference::short_length;
+      std::get<By_contours>(options.method).preference = preference::short_length;
       options.on_edges = on_edges;
       In_place<TriangleMesh> r(s, options);
       const Refined_surface& refined = r.cut.surface;
@@ -355,7 +355,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_that_cannot_be_cut_is_not_touched, Triangle
   const auto s = sample::torus(8, 6);
   auto tm = build_mesh<TriangleMesh>(s);
   Cut_options options;
-  options.minima = {1};
+  std::get<By_contours>(options.method).minima = {1};
   BOOST_CHECK_THROW(cut_to_disc(tm, parameters::cut_options(options)), Invalid_input_error);
   BOOST_TEST((make_triangle_surface(tm).triangles == s.triangles));
 }

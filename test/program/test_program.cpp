@@ -336,6 +336,8 @@ BOOST_FIXTURE_TEST_CASE(help_lists_every_choice_and_another_word_is_refused, Fix
   const std::string help = meridian("unwrap --help").out;
   check_listed<Cut_method>(help, "--method");
   check_listed<Tightening>(help, "--tighten");
+  check_listed<Field>(help, "--field");
+  check_listed<Extrema>(help, "--extrema");
   check_listed<Weights>(help, "--weights");
   check_listed<Levels>(help, "--levels");
   check_listed<Generator_join>(help, "--join");

@@ -24,6 +24,9 @@ namespace pipeline {
 
 using namespace meridian;
 
+// The choices about contours of options that have no other method.
+inline By_contours& contours(Cut_options& o) { return std::get<By_contours>(o.method); }
+
 Cut cut(const Triangle_surface& s, const Cut_options& options = Cut_options());
 Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed,
                       Weights weights = Weights::POSITIVE);

@@ -48,17 +48,15 @@ Triangle_surface surface(int which)
 std::vector<Cut> make_cuts(const Triangle_surface& s)
 {
   std::vector<Cut_options> all(7);
-  all[1].preference = preference::short_length;
-  all[1].levels = Levels::TIGHT;
-  all[2].method = Cut_method::TREE_COTREE;
-  all[2].bases = 4;
-  all[3].method = Cut_method::TREE_COTREE;
-  all[3].source = s.number_of_vertices() / 2;
-  all[4].method = Cut_method::GENERATORS;
-  all[5].minima = {9};
-  all[5].maxima = {s.number_of_vertices() - 5};
+  pipeline::contours(all[1]).preference = preference::short_length;
+  pipeline::contours(all[1]).levels = Levels::TIGHT;
+  all[2].method = By_tree_cotree{-1, 4};
+  all[3].method = By_tree_cotree{s.number_of_vertices() / 2};
+  all[4].method = By_generators();
+  pipeline::contours(all[5]).minima = {9};
+  pipeline::contours(all[5]).maxima = {s.number_of_vertices() - 5};
   all[5].tightening = Tightening::NONE;
-  all[6].method = Cut_method::GEOMETRY_IMAGE;
+  all[6].method = By_removing_faces();
   std::vector<Cut> cuts;
   for (const Cut_options& o : all) { cuts.push_back(pipeline::cut(s, o)); }
   return cuts;
@@ -529,7 +527,7 @@ BOOST_AUTO_TEST_CASE(nothing_untouched_means_no_bound)
   const auto s = sample::torus(6, 5);
   const auto a = cut_disc_of(s, pipeline::cut(s));
   Cut_options o;
-  o.method = Cut_method::TREE_COTREE;
+  o.method = By_tree_cotree();
   const auto c = compare_parameterizations(s, a, cut_disc_of(s, pipeline::cut(s, o)));
   BOOST_TEST(c.untouched.empty());
   BOOST_TEST(c.variation == 0);
@@ -652,7 +650,7 @@ BOOST_AUTO_TEST_CASE(extreme_units_of_a_file_are_those_of_its_surface)
   const auto input = sample::soup(sample::scaled(surface(0), 1e120));
   const auto a = pipeline::run(input);
   Cut_options o;
-  o.method = Cut_method::TREE_COTREE;
+  o.method = By_tree_cotree();
   const auto b = pipeline::run(input, false, o);
   const Triangle_surface& root = a.examination.components[0].surface;
   BOOST_TEST(a.examination.components[0].unit > 1);

@@ -71,26 +71,23 @@ BOOST_DATA_TEST_CASE(any_field_gives_a_disc, data::xrange(1, 4) * data::xrange(6
       for (Index v = 0; v < s.number_of_vertices(); ++v) { x.push_back(random() % 50); }
       return x;
     };
+    Field& field = pipeline::contours(o).field;
     switch (which)
     {
-    case 0: o.values = height(s, 0); break;
-    case 1: o.values = eigenfunction_field(s, genus + 1); break;
-    case 2: o.values = eigenfunction_field(s, 1, Weights::INTRINSIC_DELAUNAY); break;
-    case 3: o.values = geodesic_distance(s, {9}); break;
-    case 4: o.values = noise(); break; // ties and all
-    default: o.values.assign(s.number_of_vertices(), 1); break;
+    case 0: field = Given_field{height(s, 0)}; break;
+    case 1: field = Eigenfunction_field(); break;
+    case 2: field = Eigenfunction_field{1, Weights::INTRINSIC_DELAUNAY}; break;
+    case 3: field = Distance_field{9}; break;
+    case 4: field = Given_field{noise()}; break; // ties and all
+    default: field = Given_field{std::vector<double>(s.number_of_vertices(), 1)}; break;
     }
-    for (Cut_method method : {Cut_method::MORSE, Cut_method::GENERATORS})
-    {
-      o.method = method;
-      check_cut(s, o);
-    }
-    o.method = Cut_method::CONTOURS;
+    check_cut(s, with_method(o, By_flow_lines()));
+    check_cut(s, with_method(o, By_generators()));
     auto cut = check_cut(s, o);
     BOOST_TEST(cut.counts.saddles == 2 * genus + cut.counts.minima + cut.counts.maxima - 2);
     BOOST_TEST(curves_of(cut, Curve_kind::MERIDIAN).size() == static_cast<std::size_t>(genus));
-    o.minima = {9}; // the same field with extrema where they are wanted
-    o.maxima = {s.number_of_vertices() - 5};
+    pipeline::contours(o).minima = {9}; // the same field with extrema where they are wanted
+    pipeline::contours(o).maxima = {s.number_of_vertices() - 5};
     cut = check_cut(s, o);
     BOOST_TEST(cut.counts.minima == 1);
     BOOST_TEST(cut.counts.maxima == 1);
@@ -103,9 +100,10 @@ BOOST_AUTO_TEST_CASE(flow_lines_of_several_maxima_give_one_disc)
 {
   const auto s = sample::noisy(sample::plate(2, 4), 0.08, 3);
   Cut_options o;
-  o.method = Cut_method::MORSE;
-  o.minima = {9, 40};
-  o.maxima = {100, 200, 300};
+  By_flow_lines method;
+  method.minima = {9, 40};
+  method.maxima = {100, 200, 300};
+  o.method = method;
   const auto cut = check_cut(s, o);
   BOOST_TEST(cut.counts.maxima == 1);
   BOOST_TEST(cut.counts.minima == 2);
@@ -118,7 +116,7 @@ BOOST_AUTO_TEST_CASE(meridians_of_the_height_are_level)
   for (int axis = 0; axis < 3; ++axis)
   {
     Cut_options o;
-    o.values = height(s, axis);
+    pipeline::contours(o).field = Given_field{height(s, axis)};
     o.tightening = Tightening::NONE;
     const auto cut = check_cut(s, o);
     double low = 1e300, high = -1e300;
@@ -136,13 +134,14 @@ BOOST_AUTO_TEST_CASE(fields_that_do_not_fit_are_refused)
 {
   const auto s = sample::torus(12, 8);
   Cut_options o;
-  o.values.assign(5, 0.);
+  pipeline::contours(o).field = Given_field{std::vector<double>(5, 0.)};
   BOOST_CHECK_THROW(pipeline::cut(s, o), Invalid_input_error);
-  o.values.assign(s.number_of_vertices(), 0.);
-  o.values[3] = std::nan("");
+  std::vector<double> values(s.number_of_vertices(), 0.);
+  values[3] = std::nan("");
+  pipeline::contours(o).field = Given_field{values};
   BOOST_CHECK_THROW(pipeline::cut(s, o), Invalid_input_error);
-  o.values[3] = 0;
-  o.minima = {1};
+  pipeline::contours(o).field = Given_field{std::vector<double>(s.number_of_vertices(), 0.)};
+  pipeline::contours(o).minima = {1};
   BOOST_CHECK_THROW(pipeline::cut(s, o), Invalid_input_error);
   BOOST_CHECK_THROW(eigenfunction_field(s, 0), Invalid_input_error);
   BOOST_CHECK_THROW(eigenfunction_field(s, 1, Weights::MEAN_VALUE), Invalid_input_error);
@@ -155,7 +154,7 @@ BOOST_AUTO_TEST_CASE(generators_of_a_given_field)
   for (const bool open : {false, true})
   {
     Generator_options o;
-    o.values = height(s, 0);
+    o.field = Given_field{height(s, 0)};
     o.is_open = open;
     o.levels = Levels::TIGHT;
     const auto g = pipeline::generators(s, o);
@@ -165,7 +164,7 @@ BOOST_AUTO_TEST_CASE(generators_of_a_given_field)
   }
   Generator_options o;
   o.is_open = true;
-  o.weights = Weights::INTRINSIC_DELAUNAY;
+  o.field = Harmonic_field{Weights::INTRINSIC_DELAUNAY};
   BOOST_CHECK_THROW(pipeline::generators(s, o), Invalid_input_error);
 }
 
@@ -238,10 +237,10 @@ BOOST_AUTO_TEST_CASE(meridians_keep_to_low_weights)
   };
   Cut_options o;
   o.tightening = Tightening::NONE;
-  o.preference = preference::low_weight(weight);
+  pipeline::contours(o).preference = preference::low_weight(weight);
   const double near = mean(check_cut(s, o));
   for (double& w : weight) { w = -w; }
-  o.preference = preference::low_weight(weight);
+  pipeline::contours(o).preference = preference::low_weight(weight);
   const double far = mean(check_cut(s, o));
   BOOST_TEST(near < far);
   // The average along a loop of a constant is that constant.
@@ -318,7 +317,7 @@ BOOST_DATA_TEST_CASE(every_method_gives_a_disc, data::xrange(number_of<Cut_metho
         o.method = all<Cut_method>()[method];
         o.tightening = t;
         o.on_edges = on_edges;
-        o.bases = 3;
+        if (auto* tree_cotree = std::get_if<By_tree_cotree>(&o.method)) { tree_cotree->bases = 3; }
         const auto cut = check_cut(s, o);
         check_curves(cut);
         if (on_edges && genus > 0) { BOOST_TEST(cut.surface.origins.empty()); }
@@ -331,7 +330,7 @@ BOOST_AUTO_TEST_CASE(loops_of_edges_need_room)
 {
   const auto s = sample::torus(9, 3, 3, 1); // three vertices around its tube
   Cut_options o;
-  o.values = height(s, 0);
+  pipeline::contours(o).field = Given_field{height(s, 0)};
   o.on_edges = true;
   int refused = 0, refined = 0;
   for (const auto& surface : {sample::plate(3, 1), sample::plate(6, 1), sample::noisy(sample::plate(5, 1), 0.1, 2)})
@@ -389,7 +388,7 @@ BOOST_AUTO_TEST_CASE(a_family_has_different_members)
   BOOST_TEST(!alone.next().has_value());
   // An error of the first member is the caller's.
   Cut_options wrong;
-  wrong.minima = wrong.maxima = {3};
+  pipeline::contours(wrong).minima = pipeline::contours(wrong).maxima = {3};
   Cut_family bad(s, 2, wrong);
   BOOST_CHECK_THROW(bad.next(), Invalid_input_error);
 }

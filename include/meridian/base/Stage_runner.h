@@ -25,25 +25,27 @@ private:
   Stage m_stage;
 };
 
-// Runs stages, with a clock.
+} // namespace internal
+
+/// \ingroup PkgMeridianProgress
+/// runs stages, with a clock, and tells an observer that may be absent.
 struct Stage_runner
 {
   Progress_observer* observer;
   Stage_times& seconds;
 
+  /// runs a stage; what it throws goes on
   template <class Work> void operator()(Stage stage, const Work& work) const
   {
-    const Stage_scope scope(observer, stage);
+    const internal::Stage_scope scope(observer, stage);
     const auto begin = std::chrono::steady_clock::now();
     work();
     seconds.emplace_back(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     scope.finish();
   }
-  // Tells how much of a stage is done, and ends the run if the observer wants that.
+  /// tells how much of a stage is done, and throws `Cancelled` if the observer wants to end the run
   void progress(Stage stage, double done) const;
 };
-
-} // namespace internal
 
 } // namespace meridian
 

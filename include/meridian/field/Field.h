@@ -2,35 +2,102 @@
 #ifndef MERIDIAN_FIELD_FIELD_H
 #define MERIDIAN_FIELD_FIELD_H
 
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
-#include <meridian/field/Sparse_solver.h>
 #include <meridian/field/critical_points.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <array>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace meridian {
 
 /// \ingroup PkgMeridianOrder
-/// what one may choose about a field. Vertices are those of the surface.
-struct Field_options
+/// where a harmonic field is lowest and highest, if no vertices are named.
+enum class Extrema
 {
-  Weights weights = Weights::POSITIVE;
-  std::vector<Index> minima, maxima; ///< vertices where the field is 0 and 1; both empty: two vertices far apart
-  /// one a vertex: a field to take instead of a harmonic one, such as an eigenfunction or a distance. A boundary loop
-  /// takes the mean of its vertices. Its own extrema are kept, or `minima` and `maxima` if they are given.
-  std::vector<double> values;
-  bool one_maximum = false; ///< whether only the highest maximum is kept: descending lines leave one piece for each
-  std::string values_name = "given"; ///< what `values` are, for reports
-  Solvers solvers;                   ///< the general one serves mean-value weights
+  DISTANT, ///< at two vertices far apart
+  CURVED   ///< at extrema of the first eigenfunctions, where the surface is strongly curved (Patane 2007, section 2.1)
+};
+
+/// the names of `Extrema`.
+template <> struct Names<Extrema>
+{
+  static constexpr std::array<Named_value<Extrema>, 2> table{{
+    {Extrema::DISTANT, "distant", "two vertices far apart"},
+    {Extrema::CURVED, "curved", "extrema of eigenfunctions with the highest curvature"},
+  }};
 };
 
 /// \ingroup PkgMeridianOrder
+/// the field that is harmonic between minima and maxima, where it is 0 and 1.
+struct Harmonic_field
+{
+  static constexpr Choice_name names{"harmonic", "between two extrema"};
+  Weights weights = Weights::POSITIVE;
+  Extrema extrema = Extrema::DISTANT;
+};
+
+/// \ingroup PkgMeridianOrder
+/// an eigenfunction of the Laplacian.
+struct Eigenfunction_field
+{
+  static constexpr Choice_name names{"eigenfunction", "of the Laplacian"};
+  int number = 0; ///< which one, from 1; 0: the genus + 1, as the paper takes
+  Weights weights = Weights::POSITIVE;
+};
+
+/// \ingroup PkgMeridianOrder
+/// the geodesic distance from a vertex.
+struct Distance_field
+{
+  static constexpr Choice_name names{"distance", "the geodesic distance from a vertex"};
+  Index source = -1; ///< -1: a vertex far out
+};
+
+/// \ingroup PkgMeridianOrder
+/// a field that is given, one value a vertex. A boundary loop takes the mean of its vertices.
+struct Given_field
+{
+  std::vector<double> values;
+  std::string name = "given"; ///< for reports
+};
+
+/// \ingroup PkgMeridianOrder
+/// a field, with what one may choose about it.
+using Field = std::variant<Harmonic_field, Eigenfunction_field, Distance_field, Given_field>;
+
+/// \ingroup PkgMeridianOrder
+/// vertices of the surface that are the field's minima and maxima: where a harmonic field is 0 and 1, and which of its
+/// own extrema another field keeps. Both empty: those of the field.
+struct Chosen_extrema
+{
+  std::vector<Index> minima = {}, maxima = {};
+};
+
+/// \ingroup PkgMeridianOrder
+/// what one may choose about a field. Vertices are those of the surface.
+struct Field_options : Chosen_extrema
+{
+  Field field;
+};
+
+/// \ingroup PkgMeridianOrder
+/// \returns the weights that a field is solved for with; those of `Harmonic_field` where it is solved for without
+Weights weights_of(const Field& field);
+
+/// \ingroup PkgMeridianOrder
+/// checks what was chosen about a field, whatever the surface is.
+/// \throws Invalid_input_error if one choice would be ignored because of another, or weights do not suit the field
+void check(const Field_options& options);
+
+/// \ingroup PkgMeridianOrder
 /// checks what was chosen about a field of a surface.
-/// \throws Invalid_input_error if there is no such vertex, if minima or maxima alone are given, or if values are not
-///   one finite number a vertex
+/// \throws Invalid_input_error if choices do not go together, if there is no such vertex, if minima or maxima alone are
+///   given, or if values are not one finite number a vertex
 void check(const Triangle_surface& s, const Field_options& options);
 
 /// \ingroup PkgMeridianOrder

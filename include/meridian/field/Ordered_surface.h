@@ -10,6 +10,7 @@
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <string>
 #include <vector>
 
 namespace meridian {
@@ -24,6 +25,7 @@ struct Ordered_surface
   Refined_surface surface;
   Closed_model graph;
   Scalar_field field;                   ///< on the nodes of `graph`
+  std::string field_name;               ///< for reports
   Node_order order;                     ///< of the nodes of `graph`
   std::vector<Index> rank;              ///< of the node of each vertex
   std::vector<Critical_point> critical; ///< of the order, before unfolding

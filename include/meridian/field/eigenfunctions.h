@@ -78,7 +78,7 @@ std::pair<Index, Index> find_curved_extrema(const Triangle_surface& s, const Clo
  * \ingroup PkgMeridianOrder
  *
  * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue (Patane 2007,
- *          section 2.1). It is the same all along a boundary loop. It serves as `Field_options::values`.
+ *          section 2.1). It is the same all along a boundary loop. `Eigenfunction_field` is it as a choice.
  * \param s the surface
  * \param i which one, from 1: the constant function is 0. The paper takes the genus + 1.
  * \param weights the discretization; not mean-value

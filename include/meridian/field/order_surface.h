@@ -7,6 +7,7 @@
 #include <meridian/field/Field.h>
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/Scalar_field.h>
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
@@ -19,8 +20,15 @@ namespace meridian {
 /// \returns what is worth telling about the field of `m`
 /// \param root the surface that `m.surface` refines
 /// \param m the ordered surface
-/// \param options what it was ordered by
-Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m, const Field_options& options);
+Field_summary summarize_field(const Triangle_surface& root, const Ordered_surface& m);
+
+/// \ingroup PkgMeridianOrder
+/// what one may choose about the order of a surface.
+struct Order_options : Field_options
+{
+  bool one_maximum = false; ///< whether only the highest maximum is kept: descending lines leave one piece for each
+  Solvers solvers;          ///< the general one serves mean-value weights
+};
 
 /// \ingroup PkgMeridianOrder
 /// orders a surface by its field and makes all saddles simple.
@@ -43,20 +51,19 @@ Scalar_field field_of_values(const Triangle_surface& root, const Refined_surface
 /*!
  * \ingroup PkgMeridianOrder
  *
- * solves a harmonic field, or takes the one that is given, orders the surface by it and makes all saddles simple.
+ * solves for a field, or takes the one that is given, orders the surface by it and makes all saddles simple.
  *
  * \param root the surface
- * \param options weights and extrema
+ * \param options the field, and which of its extrema are kept
  * \param run calls its second argument; the first is the stage. For clocks and observers.
  *
  * \returns the ordered surface
  * \pre `root` is connected
- * \throws Invalid_input_error if minima and maxima coincide or the values are not one finite number a vertex,
- *   Solver_error if the field cannot be solved
+ * \throws Invalid_input_error as `check()` does or if minima and maxima coincide, Solver_error if the field cannot be solved
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */
-Ordered_surface order_surface(const Triangle_surface& root, const Field_options& options, const Run_stage& run);
+Ordered_surface order_surface(const Triangle_surface& root, const Order_options& options, const Run_stage& run);
 
 } // namespace meridian
 

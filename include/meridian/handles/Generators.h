@@ -8,7 +8,7 @@
 #include <meridian/curves/contours.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/field/Field.h>
-#include <meridian/field/edge_weights.h>
+#include <meridian/field/Sparse_solver.h>
 #include <meridian/handles/preference.h>
 #include <meridian/surface/Refined_surface.h>
 
@@ -20,15 +20,14 @@ namespace meridian {
 
 /// \ingroup PkgMeridianGenerators
 /// what one may choose about generators. Vertices are those of the surface.
-struct Generator_options : Field_options
+struct Generator_options : Field_options, Meridian_options
 {
-  Preference preference = preference::gaussian_curvature;
-  Levels levels = Levels::SADDLE;
   bool is_open = false;      ///< whether the field's boundary is free, so that level lines may end there
   bool keep_complex = false; ///< whether the quasi Morse-Smale complex of the field is kept
   bool flow = true;          ///< whether longitudes are sought among flow lines first
   bool tighten = true;       ///< whether the curves are shortened within their classes
   Tighten_options tightening;
+  Solvers solvers;
   Progress_observer* observer = nullptr;
 };
 

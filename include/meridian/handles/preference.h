@@ -3,6 +3,7 @@
 #define MERIDIAN_HANDLES_PREFERENCE_H
 
 #include <meridian/base/vectors.h>
+#include <meridian/curves/contours.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Surface_curve.h>
 #include <meridian/surface/measures.h>
@@ -64,6 +65,14 @@ inline Preference position(const Point& d)
   return [d](const Loop_candidate& c) { return dot(c.position, d); };
 }
 } // namespace preference
+
+/// \ingroup PkgMeridianMeridians
+/// how meridians are chosen among the level lines of saddles.
+struct Meridian_options
+{
+  Preference preference = preference::gaussian_curvature; ///< which are cut first
+  Levels levels = Levels::SADDLE;                         ///< where they are taken
+};
 
 } // namespace meridian
 

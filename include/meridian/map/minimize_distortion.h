@@ -72,6 +72,7 @@ private:
  * \param disc the surface
  * \param at the image of each vertex
  * \param options see there
+ * \param progress told how much is done
  *
  * \pre `disc` is a disc; in `at` no face is turned over or without area, and the border is a simple polygon
  * \throws Solver_error if a step cannot be solved; `at` is then the map after the step before

@@ -30,8 +30,8 @@ void solve_harmonic_field(const TriangleMesh& tm, const VertexRange& minima, con
                           VertexFieldMap field, Weights weights = Weights::POSITIVE)
 {
   const internal::Vertex_numbers<TriangleMesh> number(tm);
-  Field_options options;
-  options.weights = weights;
+  Order_options options;
+  options.field = Harmonic_field{weights};
   for (auto v : minima) { options.minima.push_back(number[v]); }
   for (auto v : maxima) { options.maxima.push_back(number[v]); }
   if (options.minima.empty() || options.maxima.empty())

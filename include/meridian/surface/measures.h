@@ -38,6 +38,13 @@ struct Curvature
 Curvature curvature(const Triangle_surface& s, Index v);
 
 /// \ingroup PkgMeridianSurface
+/// \returns the genus of a surface, whose boundary loops do not count
+/// \pre `s` is connected
+/// \par Complexity
+/// Linear.
+int genus(const Triangle_surface& s);
+
+/// \ingroup PkgMeridianSurface
 /// \returns the length of each edge of a closed model, in the order of its edges
 std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& g);
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CUT_BY_CONTOURS_H
+#define MERIDIAN_CUT_BY_CONTOURS_H
+
+#include <meridian/base/names.h>
+#include <meridian/field/Field.h>
+#include <meridian/handles/preference.h>
+
+namespace meridian {
+
+struct Cut_job;
+
+/// \ingroup PkgMeridianCut
+/// cuts a meridian for each handle: a level line of a field (Patane 2007, section 3).
+struct By_contours : Field_options, Meridian_options
+{
+  static constexpr Choice_name names{"contours", "a meridian for each handle, a level line"};
+  static constexpr bool cuts_edges = false, moves_onto_edges = true;
+  void cut_handles(Cut_job& job) const;
+};
+
+} // namespace meridian
+
+#endif // MERIDIAN_CUT_BY_CONTOURS_H

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CUT_BY_FLOW_LINES_H
+#define MERIDIAN_CUT_BY_FLOW_LINES_H
+
+#include <meridian/base/names.h>
+#include <meridian/field/Field.h>
+
+namespace meridian {
+
+struct Cut_job;
+
+/// \ingroup PkgMeridianCut
+/// cuts the descending flow lines of all saddles (Ni, Garland, Hart 2004). Of the field's maxima the highest is kept.
+struct By_flow_lines : Field_options
+{
+  static constexpr Choice_name names{"morse", "the descending flow lines of all saddles"};
+  static constexpr bool cuts_edges = false, moves_onto_edges = false;
+  void cut_handles(Cut_job& job) const;
+};
+
+} // namespace meridian
+
+#endif // MERIDIAN_CUT_BY_FLOW_LINES_H

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_CUT_BY_GENERATORS_H
+#define MERIDIAN_CUT_BY_GENERATORS_H
+
+#include <meridian/base/names.h>
+#include <meridian/cut/join_generators.h>
+#include <meridian/field/Field.h>
+#include <meridian/handles/preference.h>
+
+namespace meridian {
+
+struct Cut_job;
+
+/// \ingroup PkgMeridianCut
+/// cuts a meridian and a longitude for each handle (Patane 2007, section 4).
+struct By_generators : Field_options, Meridian_options
+{
+  static constexpr Choice_name names{"generators", "a meridian and a longitude for each handle"};
+  static constexpr bool cuts_edges = false, moves_onto_edges = false;
+  Generator_join join = Generator_join::SURFACE; ///< how the pairs are joined
+  void cut_handles(Cut_job& job) const;
+};
+
+} // namespace meridian
+
+#endif // MERIDIAN_CUT_BY_GENERATORS_H
