@@ -9,6 +9,8 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <future>
 #include <vector>
 
@@ -30,27 +32,41 @@ bool does_self_intersect(const Triangle_surface& s)
   return CGAL::Polygon_mesh_processing::does_self_intersect(mesh);
 }
 
+namespace {
+
+Loop_class class_of(const internal::Sides& s)
+{
+  return s.inside ? Loop_class::HANDLE : s.outside ? Loop_class::TUNNEL : Loop_class::NEITHER;
+}
+
+} // namespace
+
+std::vector<Loop_class> classify_loops(const Triangle_surface& root, const std::vector<std::vector<Index>>& walks)
+{
+  std::vector<Loop_class> classes(walks.size(), Loop_class::UNKNOWN);
+  if (walks.empty() || !boundary_loops(root).empty()) { return classes; }
+  auto meets_itself = std::async(std::launch::async, [&] { return does_self_intersect(root); });
+  const std::vector<internal::Sides> sides = internal::find_bounding_sides(root, walks);
+  if (meets_itself.get() || sides.empty()) { return classes; }
+  std::transform(sides.begin(), sides.end(), classes.begin(), class_of);
+  return classes;
+}
+
 void classify_generators(const Triangle_surface& root, Generators& generators, Progress_observer* observer)
 {
   if (generators.pairs.empty() || generators.boundary_loops > 0) { return; }
   const Stage_runner run{observer, generators.seconds};
   run(Stage::CLASSIFY, [&] {
+    std::vector<Generator_curve*> curves;
     std::vector<std::vector<Index>> walks;
-    for (const Generator_pair& pair : generators.pairs)
-      for (const Generator_curve* c : {&pair.meridian, &pair.longitude})
-      {
-        walks.push_back(internal::walk_on_root(root, generators.surface, c->vertices));
-      }
-    auto meets_itself = std::async(std::launch::async, [&] { return does_self_intersect(root); });
-    const std::vector<internal::Sides> sides = internal::find_bounding_sides(root, walks);
-    if (meets_itself.get() || sides.empty()) { return; }
-    std::size_t i = 0;
     for (Generator_pair& pair : generators.pairs)
       for (Generator_curve* c : {&pair.meridian, &pair.longitude})
       {
-        const internal::Sides& s = sides[i++];
-        c->loop_class = s.inside ? Loop_class::HANDLE : s.outside ? Loop_class::TUNNEL : Loop_class::NEITHER;
+        curves.push_back(c);
+        walks.push_back(internal::walk_on_root(root, generators.surface, c->vertices));
       }
+    const std::vector<Loop_class> classes = classify_loops(root, walks);
+    for (std::size_t i = 0; i < curves.size(); ++i) { curves[i]->loop_class = classes[i]; }
   });
 }
 

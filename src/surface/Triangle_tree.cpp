@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/surface/Triangle_tree.h>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/version.h>
+#if CGAL_VERSION_MAJOR >= 6 // which puts the dimension into these names
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include <vector>
 
@@ -14,14 +20,20 @@ struct Triangle_tree::Boxes
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Triangles = std::vector<Kernel::Triangle_3>;
+#if CGAL_VERSION_MAJOR >= 6
+  using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
+  using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
   using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
 
   static Kernel::Point_3 point(const Point& p) { return {p[0], p[1], p[2]}; }
 
   const Triangle_surface& surface;
   Triangles triangles;
   std::vector<Index> face; // of each triangle
-  CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>> tree;
+  CGAL::AABB_tree<Traits> tree;
 };
 
 Triangle_tree::Triangle_tree(const Triangle_surface& s) : m_boxes(new Boxes{s, {}, {}, {}})

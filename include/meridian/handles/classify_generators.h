@@ -3,8 +3,11 @@
 #define MERIDIAN_HANDLES_CLASSIFY_GENERATORS_H
 
 #include <meridian/base/Progress_observer.h>
+#include <meridian/base/vectors.h>
 #include <meridian/handles/Generators.h>
 #include <meridian/surface/Triangle_surface.h>
+
+#include <vector>
 
 namespace meridian {
 
@@ -13,6 +16,18 @@ namespace meridian {
 /// \par Complexity
 /// \f$ O(n \log^3 n + k) \f$ for `k` pairs of faces whose boxes meet (CGAL's `does_self_intersect()`)
 bool does_self_intersect(const Triangle_surface& s);
+
+/*!
+ * \ingroup PkgMeridianGenerators
+ *
+ * \returns for each loop on which side of the surface it bounds, as `classify_generators()` says it of its curves
+ * \param root a connected surface
+ * \param walks the halfedges of each loop, in order
+ * \post `UNKNOWN` everywhere if the surface has a boundary, meets itself or has a face without area
+ * \par Complexity
+ * that of `classify_generators()`
+ */
+std::vector<Loop_class> classify_loops(const Triangle_surface& root, const std::vector<std::vector<Index>>& walks);
 
 /*!
  * \ingroup PkgMeridianGenerators
