@@ -205,6 +205,21 @@ Eigenfunctions eigenfunctions_of(const Triangle_surface& s, const Closed_model& 
 
 } // namespace
 
+Eigenfunctions eigenfunctions_at_vertices(const Triangle_surface& s, int k, Weights weights, Make_solver make_solver)
+{
+  const Closed_model g = make_closed_model(s);
+  Eigenfunctions found = eigenfunctions_of(s, g, weights, k, make_solver);
+  found.values.erase(found.values.begin());
+  found.functions.erase(found.functions.begin());
+  for (std::vector<double>& function : found.functions)
+  {
+    std::vector<double> at_vertices;
+    for (Index a : g.node) { at_vertices.push_back(function[a]); }
+    function = std::move(at_vertices);
+  }
+  return found;
+}
+
 std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weights weights, Make_solver make_solver)
 {
   const Closed_model g = make_closed_model(s);

@@ -40,7 +40,7 @@ BOOST_AUTO_TEST_CASE(new_points_of_an_exact_kernel_lie_on_the_mesh)
   Mesh tm = build_mesh<Kernel>(root);
   internal::Mesh_refiner<Mesh> refiner(root, refined, tm);
   refiner.run();
-  internal::place_new_vertices(root, refined, refiner, tm.points());
+  internal::place_new_vertices<Kernel::FT>(root, refined, refiner, tm.points());
   BOOST_TEST(CGAL::is_valid_polygon_mesh(tm));
   BOOST_TEST(tm.number_of_faces() == refined.triangles.size());
   std::array<int, 3> kinds{0, 0, 0};

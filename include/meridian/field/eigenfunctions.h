@@ -77,6 +77,23 @@ std::pair<Index, Index> find_curved_extrema(const Triangle_surface& s, const Clo
 /*!
  * \ingroup PkgMeridianOrder
  *
+ * \returns the lowest eigenvalues of the Laplacian but 0, and their functions, one value a vertex
+ * \param s the surface
+ * \param k how many
+ * \param weights the discretization; not mean-value
+ * \param make_solver makes the solver
+ * \pre `s` is connected
+ * \throws Invalid_input_error if there are not so many or the weights are not symmetric, Solver_error if they are not
+ *   found
+ * \par Complexity
+ * that of `find_eigenfunctions()`
+ */
+Eigenfunctions eigenfunctions_at_vertices(const Triangle_surface& s, int k, Weights weights = Weights::POSITIVE,
+                                          Make_solver make_solver = make_symmetric_solver);
+
+/*!
+ * \ingroup PkgMeridianOrder
+ *
  * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue (Patane 2007,
  *          section 2.1). It is the same all along a boundary loop. `Eigenfunction_field` is it as a choice.
  * \param s the surface

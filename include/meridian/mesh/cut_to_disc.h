@@ -52,10 +52,7 @@ template <
     !std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options> && !internal::is_named_parameters<DiscMesh>, int> = 0>
 Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(
-    internal::uses_only<CGAL::internal_np::vertex_point_t, internal_np::cut_options_t, internal_np::field_map_t,
-                        internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
-    "cut_to_disc() was given a named parameter it does not use");
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(np);
   internal::check_is_empty(disc);
   const Triangle_surface root = internal::read_surface(tm, np);
   Cut cut = internal::cut_and_recount(root, tm, np);
@@ -93,13 +90,7 @@ template <
                    int> = 0>
 Cut cut_to_disc(TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(
-    internal::uses_only<CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t,
-                        CGAL::internal_np::vertex_is_constrained_t, internal_np::cut_options_t,
-                        internal_np::field_map_t, internal_np::vertex_weight_map_t, internal_np::vertex_field_map_t,
-                        internal_np::vertex_origin_map_t, internal_np::face_origin_map_t>(
-      static_cast<const NamedParameters*>(nullptr)),
-    "cut_to_disc() was given a named parameter it does not use");
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t, CGAL::internal_np::vertex_is_constrained_t, internal_np::cut_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t, internal_np::vertex_field_map_t, internal_np::vertex_origin_map_t, internal_np::face_origin_map_t>(np);
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = internal::read_surface(tm, np);

@@ -35,10 +35,7 @@ template <class TriangleMesh, class RefinedMesh, class VertexOutputIterator,
 Generators find_generators(const TriangleMesh& tm, RefinedMesh& refined, VertexOutputIterator curves,
                            const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(
-    internal::uses_only<CGAL::internal_np::vertex_point_t, internal_np::generator_options_t, internal_np::field_map_t,
-                        internal_np::vertex_weight_map_t>(static_cast<const NamedParameters*>(nullptr)),
-    "find_generators() was given a named parameter it does not use");
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::generator_options_t, internal_np::field_map_t, internal_np::vertex_weight_map_t>(np);
   internal::check_is_empty(refined);
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;

@@ -42,8 +42,7 @@ template <class TriangleMesh, class NamedParameters = CGAL::parameters::Default_
 Triangle_surface make_triangle_surface(const TriangleMesh& tm,
                                        const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<CGAL::internal_np::vertex_point_t>(static_cast<const NamedParameters*>(nullptr)),
-                "make_triangle_surface() was given a named parameter it does not use");
+  internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
   return internal::read_surface(tm, np);
 }
 

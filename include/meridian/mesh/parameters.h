@@ -11,11 +11,15 @@
 #define MERIDIAN_FOR_EACH_PARAMETER(X) \
   X(cut_options) \
   X(generator_options) \
-  X(unwrap_options) X(field_map) X(vertex_weight_map) X(vertex_field_map) X(vertex_origin_map) X(face_origin_map)
+  X(unwrap_options) X(map_options) X(basis_options) X(tighten_options) \
+  X(laplacian_weights) X(field_map) X(vertex_weight_map) X(vertex_field_map) X(vertex_origin_map) X(face_origin_map) X(morse_graph)
 // Those of CGAL's that may stand anywhere in the chain: what a caller writes, and CGAL's tag.
 #define MERIDIAN_FOR_EACH_CGAL_PARAMETER(X) \
   X(vertex_point_map, vertex_point_t) \
-  X(edge_is_constrained_map, edge_is_constrained_t) X(vertex_is_constrained_map, vertex_is_constrained_t)
+  X(edge_is_constrained_map, edge_is_constrained_t) X(vertex_is_constrained_map, vertex_is_constrained_t) \
+  X(sparse_linear_solver, sparse_linear_solver_t) X(visitor, visitor_t) X(geom_traits, geom_traits_t) \
+  X(vertex_to_vertex_output_iterator, vertex_to_vertex_output_iterator_t) \
+  X(face_to_face_output_iterator, face_to_face_output_iterator_t)
 
 namespace meridian {
 
@@ -95,6 +99,13 @@ constexpr bool uses_only(const CGAL::Named_function_parameters<T, Tag, Base>*)
   constexpr bool known = std::is_same_v<Tag, CGAL::internal_np::all_default_t> || (std::is_same_v<Tag, Allowed> || ...);
   if constexpr (std::is_same_v<Base, CGAL::internal_np::No_property>) { return known; }
   else { return known && uses_only<Allowed...>(static_cast<const Base*>(nullptr)); }
+}
+
+// Refuses named parameters that a function does not use, where it is compiled.
+template <class... Allowed, class NamedParameters> constexpr void check_parameters(const NamedParameters&)
+{
+  static_assert(uses_only<Allowed...>(static_cast<const NamedParameters*>(nullptr)),
+                "this function was given a named parameter that it does not use");
 }
 
 } // namespace internal

@@ -41,9 +41,7 @@ template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = CGAL:
 Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  static_assert(internal::uses_only<CGAL::internal_np::vertex_point_t, internal_np::unwrap_options_t>(
-                  static_cast<const NamedParameters*>(nullptr)),
-                "unwrap() was given a named parameter it does not use");
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::unwrap_options_t>(np);
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = internal::read_surface(tm, np);

@@ -80,6 +80,20 @@ template <class TriangleMesh, class VertexPointMap> Triangle_surface convert(con
   return s;
 }
 
+// The halfedges of a mesh in the order of its surface: halfedge k of a face leaves its corner k, so that corners are the
+// targets from the face's own halfedge on.
+template <class TriangleMesh>
+std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges_of(const TriangleMesh& tm)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> all;
+  for (auto f : faces(tm))
+  {
+    const auto last = halfedge(f, tm), first = next(last, tm);
+    all.insert(all.end(), {first, next(first, tm), last});
+  }
+  return all;
+}
+
 // Whoever receives a result has nothing yet, least of all the input.
 template <class Mesh> void check_is_empty(const Mesh& mesh)
 {

@@ -4,7 +4,7 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
-#include <meridian/cut/Cut.h>
+#include <meridian/mesh/internal/convert.h>
 #include <meridian/mesh/parameters.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
@@ -13,8 +13,11 @@
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <CGAL/number_utils.h>
+
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace meridian {
@@ -39,14 +42,7 @@ public:
     std::size_t v = 0;
     for (Vertex w : vertices(mesh)) { m_vertex[v++] = w; }
     for (Face f : faces(mesh)) { m_face.push_back(f); }
-    for (Face f : m_face) // halfedge k leaves corner k: corners are the targets from the face's own halfedge on
-    {
-      for (Halfedge h = next(halfedge(f, mesh), mesh); m_side.size() % 3 < 2; h = next(h, mesh))
-      {
-        m_side.push_back(h);
-      }
-      m_side.push_back(halfedge(f, mesh));
-    }
+    m_side = halfedges_of(mesh);
   }
   Mesh_refiner(Triangle_surface&&, const Refined_surface&, Mesh&) = delete;
   Mesh_refiner(const Triangle_surface&, Refined_surface&&, Mesh&) = delete;
@@ -178,17 +174,20 @@ template <class Number, class Value> auto interpolate(const Triangle_surface& ro
   return at(t[0]) + Number(o.weight[1]) * (at(t[1]) - at(t[0])) + Number(o.weight[2]) * (at(t[2]) - at(t[0]));
 }
 
-// Gives the points of new vertices, in the kernel of the map.
-template <class Refiner, class VertexPointMap>
+// Gives the points of new vertices, constructed with a number type.
+template <class Number, class Refiner, class VertexPointMap>
 void place_new_vertices(const Triangle_surface& root, const Refined_surface& s, const Refiner& refiner,
                         VertexPointMap vpm)
 {
   using Mesh_point = typename boost::property_traits<VertexPointMap>::value_type;
-  using Number = typename CGAL::Kernel_traits<Mesh_point>::Kernel::FT;
+  using Mesh_number = typename CGAL::Kernel_traits<Mesh_point>::Kernel::FT;
   for (Index v = s.root_vertices; v < s.number_of_vertices(); ++v)
   {
-    const auto coordinate = [&](const auto& read) -> Number {
-      return interpolate<Number>(root, s.origin(v), [&](Index w) { return Number(read(get(vpm, refiner.vertex(w)))); });
+    const auto coordinate = [&](const auto& read) {
+      const Number x =
+        interpolate<Number>(root, s.origin(v), [&](Index w) { return Number(read(get(vpm, refiner.vertex(w)))); });
+      if constexpr (std::is_constructible_v<Mesh_number, Number>) { return Mesh_number(x); }
+      else { return Mesh_number(CGAL::to_double(x)); }
     };
     put(vpm, refiner.vertex(v),
         Mesh_point(coordinate([](const auto& p) { return p.x(); }), coordinate([](const auto& p) { return p.y(); }),
@@ -196,13 +195,12 @@ void place_new_vertices(const Triangle_surface& root, const Refined_surface& s, 
   }
 }
 
-// Fills the maps that were given.
+// Fills the maps that were given. The field has one value a vertex of the root, or none.
 template <class Refiner, class Mesh, class NamedParameters>
-void write_maps(const Triangle_surface& root, const Cut& cut, const Refiner& refiner, Mesh& tm,
-                const NamedParameters& np)
+void write_maps(const Triangle_surface& root, const Refined_surface& s, const std::vector<double>& field,
+                const Refiner& refiner, Mesh& tm, const NamedParameters& np)
 {
   using CGAL::parameters::get_parameter;
-  const Refined_surface& s = cut.surface;
   if_given(get_parameter(np, CGAL::internal_np::edge_is_constrained), [&](auto map) {
     for (Index h = 0; h < s.number_of_halfedges(); ++h) { put(map, edge(refiner.halfedge_of(h), tm), s.seam[h] != 0); }
   });
@@ -214,9 +212,9 @@ void write_maps(const Triangle_surface& root, const Cut& cut, const Refiner& ref
     }
   });
   if_given(get_parameter(np, internal_np::vertex_field_map), [&](auto map) {
-    for (Index v = 0; v < s.number_of_vertices() && !cut.field.empty(); ++v)
+    for (Index v = 0; v < s.number_of_vertices() && !field.empty(); ++v)
     {
-      put(map, refiner.vertex(v), interpolate<double>(root, s.origin(v), [&](Index w) { return cut.field[w]; }));
+      put(map, refiner.vertex(v), interpolate<double>(root, s.origin(v), [&](Index w) { return field[w]; }));
     }
   });
   if_given(get_parameter(np, internal_np::vertex_origin_map), [&](auto map) {
@@ -228,6 +226,39 @@ void write_maps(const Triangle_surface& root, const Cut& cut, const Refiner& ref
       put(map, face(refiner.halfedge_of(h), tm), s.face_of[s.face(h)]);
     }
   });
+}
+
+// Divides a mesh, gives its new points, and fills the maps that were given.
+template <class Mesh, class NamedParameters>
+Mesh_refiner<Mesh> refine_in_place(const Triangle_surface& root, const Refined_surface& s,
+                                   const std::vector<double>& field, Mesh& tm, const NamedParameters& np)
+{
+  using CGAL::parameters::choose_parameter;
+  using CGAL::parameters::get_parameter;
+  Mesh_refiner<Mesh> refiner(root, s, tm);
+  refiner.run();
+  const auto points = choose_parameter(get_parameter(np, CGAL::internal_np::vertex_point), get(CGAL::vertex_point, tm));
+  using Mesh_point = typename boost::property_traits<std::decay_t<decltype(points)>>::value_type;
+  using Kernel = typename CGAL::Kernel_traits<Mesh_point>::Kernel;
+  using Traits = std::decay_t<decltype(choose_parameter(get_parameter(np, CGAL::internal_np::geom_traits), Kernel()))>;
+  place_new_vertices<typename Traits::FT>(root, s, refiner, points);
+  write_maps(root, s, field, refiner, tm, np);
+  return refiner;
+}
+
+// The halfedges of a mesh along a walk on the refined surface that it was divided as.
+template <class Mesh>
+std::vector<typename Mesh_refiner<Mesh>::Halfedge> halfedges_along(const Refined_surface& s,
+                                                                   const Mesh_refiner<Mesh>& refiner, const Mesh& tm,
+                                                                   const std::vector<Index>& walk, bool is_closed)
+{
+  std::vector<typename Mesh_refiner<Mesh>::Halfedge> halfedges;
+  for (std::size_t i = 0; i + (is_closed ? 0 : 1) < walk.size(); ++i)
+  {
+    const Index v = walk[i], w = walk[(i + 1) % walk.size()], h = s.find_halfedge(v, w);
+    halfedges.push_back(h >= 0 ? refiner.halfedge_of(h) : opposite(refiner.halfedge_of(s.find_halfedge(w, v)), tm));
+  }
+  return halfedges;
 }
 
 } // namespace internal

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_MESH_CRITICAL_POINTS_H
+#define MERIDIAN_MESH_CRITICAL_POINTS_H
+
+#include <meridian/base/Progress_observer.h>
+#include <meridian/curves/morse_complex.h>
+#include <meridian/field/critical_points.h>
+#include <meridian/field/order_surface.h>
+#include <meridian/mesh/internal/morse_graph.h>
+#include <meridian/mesh/make_triangle_surface.h>
+#include <meridian/mesh/parameters.h>
+
+#include <vector>
+
+namespace meridian {
+
+/// \ingroup PkgMeridianFaceGraph
+/// a critical vertex of a field.
+template <class TriangleMesh> struct Critical_vertex
+{
+  /// the vertex; on a boundary loop, which is one place of the field, one of its vertices
+  typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
+  Critical_kind kind;
+  int multiplicity; ///< of a saddle: `m` where `m + 1` valleys meet; 1 for extrema
+};
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * finds the critical vertices of a field: where the walk around a vertex does not pass between lower and higher exactly
+ * twice (Banchoff 1970). Vertices of one value are told apart by their numbers.
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`
+ * \tparam OutputIterator an output iterator of `Critical_vertex<TriangleMesh>`
+ * \tparam NamedParameters a sequence of named parameters
+ * \param tm a connected triangle mesh
+ * \param field the field; on a boundary loop its mean counts
+ * \param out receives the critical vertices
+ * \param np optional: `vertex_point_map` (a `ReadablePropertyMap`; default: `get(CGAL::vertex_point, tm)`)
+ * \returns how many there are; minima - saddles + maxima is the Euler characteristic of the mesh with its boundary loops
+ *   closed, saddles counted by multiplicity
+ * \throws Invalid_input_error if a value is not finite
+ * \par Complexity
+ * \f$ O(n \log n) \f$
+ */
+template <class TriangleMesh, class VertexFieldMap, class OutputIterator,
+          class NamedParameters = CGAL::parameters::Default_named_parameters>
+Critical_counts critical_points(const TriangleMesh& tm, VertexFieldMap field, OutputIterator out,
+                                const NamedParameters& np = CGAL::parameters::default_values())
+{
+  internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
+  const Ordered_surface m = internal::order_by_map(internal::read_surface(tm, np), tm, field);
+  const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> own(vertices(tm).begin(),
+                                                                                       vertices(tm).end());
+  for (const Critical_point& p : m.critical)
+  {
+    *out++ = Critical_vertex<TriangleMesh>{own[internal::nearest_root_vertex(m, p.vertex)], p.kind, p.multiplicity};
+  }
+  return count(m.critical);
+}
+
+/*!
+ * \ingroup PkgMeridianFaceGraph
+ *
+ * builds the quasi Morse-Smale complex of a field: the two descending and the two ascending flow lines of every saddle,
+ * as a graph on the critical points (Patane 2007, section 4).
+ *
+ * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`
+ * \tparam NamedParameters a sequence of named parameters
+ * \param tm a connected triangle mesh
+ * \param field the field; on a boundary loop its mean counts
+ * \param graph receives the complex. A saddle of multiplicity `m` is `m` vertices of it.
+ * \param np optional: `vertex_point_map` as for `critical_points()`
+ * \throws Invalid_input_error if a value is not finite
+ * \par Complexity
+ * that of `make_morse_complex()`
+ */
+template <class TriangleMesh, class VertexFieldMap, class NamedParameters = CGAL::parameters::Default_named_parameters>
+void morse_complex(const TriangleMesh& tm, VertexFieldMap field, Morse_graph<TriangleMesh>& graph,
+                   const NamedParameters& np = CGAL::parameters::default_values())
+{
+  internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
+  internal::fill_morse_graph(internal::order_by_map(internal::read_surface(tm, np), tm, field), tm, graph);
+}
+
+} // namespace meridian
+
+#endif // MERIDIAN_MESH_CRITICAL_POINTS_H
