@@ -107,7 +107,8 @@ template <class Neighbors> Tree shortest_paths(Index nodes, Index root, const Ne
   queue.emplace(0., root);
   while (!queue.empty())
   {
-    const auto [d, a] = queue.top();
+    const double d = queue.top().first;
+    const Index a = queue.top().second;
     queue.pop();
     if (d > tree.distance[a]) { continue; }
     for_each_neighbor(a, [&](Index b, Index edge, double length) {

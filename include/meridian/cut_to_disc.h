@@ -3,9 +3,9 @@
 #define MERIDIAN_CUT_TO_DISC_H
 
 /// \file
-/// Cuts a triangle mesh, any model of `FaceGraph`, into a disc; `build_refined_mesh()` gives the mesh with the cut.
+/// Cuts a triangle mesh, any model of `FaceGraph`, into a disc.
 
-#include <meridian/mesh/build_refined_mesh.h>
 #include <meridian/mesh/cut_to_disc.h>
+#include <meridian/mesh/open_along.h>
 
 #endif // MERIDIAN_CUT_TO_DISC_H

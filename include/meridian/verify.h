@@ -3,8 +3,9 @@
 #define MERIDIAN_VERIFY_H
 
 /// \file
-/// Recounts results from plain arrays alone.
+/// Recounts results from meshes or plain arrays alone.
 
+#include <meridian/mesh/verify.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/proof/verify_generators.h>
 #include <meridian/proof/verify_unwrapping.h>

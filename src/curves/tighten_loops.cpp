@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/curves/tighten_loops.h>
 
+#include <meridian/base/Union_find.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/passings.h>
 #include <meridian/curves/place_normal_curves.h>
 #include <meridian/surface/check_surface.h>
 #include <meridian/surface/insert_curves.h>
+#include <meridian/surface/open_along.h>
+#include <meridian/surface/seams.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -41,6 +46,34 @@ void check_loops(const Triangle_surface& s, const std::vector<std::vector<Index>
       }
     }
   }
+}
+
+// Whether a loop of edges bounds a disc.
+bool bounds_disc(const Triangle_surface& s, const std::vector<Index>& loop)
+{
+  Refined_surface cut(s);
+  std::vector<Index> edges;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    edges.push_back(s.find_halfedge(loop[i], loop[(i + 1) % loop.size()]));
+  }
+  flag_seam(cut, edges);
+  const Triangle_surface opened = surface_of(cut, open_along(cut));
+  Union_find pieces(opened.number_of_vertices());
+  for (const auto& t : opened.triangles)
+  {
+    for (Index v : t) { pieces.unite(t[0], v); }
+  }
+  std::map<Index, Index> characteristic; // of each piece
+  for (Index v = 0; v < opened.number_of_vertices(); ++v) { ++characteristic[pieces.find(v)]; }
+  for (Index h = 0; h < opened.number_of_halfedges(); ++h)
+  {
+    if (opened.edge(h) == h) { --characteristic[pieces.find(opened.source(h))]; }
+  }
+  for (const auto& t : opened.triangles) { ++characteristic[pieces.find(t[0])]; }
+  // a piece with one boundary loop and no handle
+  return characteristic.size() > 1
+         && std::any_of(characteristic.begin(), characteristic.end(), [](const auto& c) { return c.second == 1; });
 }
 
 // The edges that a loop crosses when it is pushed off to its left: those that leave its vertices to that side.
@@ -80,12 +113,12 @@ Tightened_loops tighten_loops(const Triangle_surface& root, const std::vector<st
   Normal_curves curves(root, 2 * n); // every second: partners might cross
   for (Index i = 0; i < n; ++i)
   {
-    const auto steps = push_off(curves, loops[i]);
-    if (steps.empty())
+    if (bounds_disc(root, loops[i]))
     {
-      throw Invalid_input_error("loop " + std::to_string(i) + " can be contracted; there is nothing to pull tight");
+      throw Invalid_input_error("loop " + std::to_string(i)
+                                + " bounds a disc: it can be contracted, and there is nothing to pull tight");
     }
-    curves.add(2 * i, steps);
+    curves.add(2 * i, push_off(curves, loops[i]));
     for (std::size_t k = 0; k < loops[i].size(); ++k)
     {
       result.length_before += distance(root.points[loops[i][k]], root.points[loops[i][(k + 1) % loops[i].size()]]);

@@ -31,6 +31,32 @@ Examination examination_of(const Triangle_surface& root)
   return examination;
 }
 
+Result_mesh result_of(const Refined_surface& s, const std::vector<Origin>& origins, const std::vector<Index>& face_of)
+{
+  const Opened_surface opened = open_along(s);
+  Result_mesh result;
+  result.points = s.points;
+  result.faces = opened.triangles;
+  result.copy_of.assign(s.points.size(), -1);
+  for (const Origin& o : origins)
+  {
+    const Result_origin::Kind kind = o.kind == Origin::VERTEX ? Result_origin::VERTEX
+                                     : o.kind == Origin::EDGE ? Result_origin::EDGE
+                                                              : Result_origin::FACE;
+    result.origin.push_back({kind, o.index, o.weight});
+  }
+  for (Index v : opened.copy_of)
+  {
+    result.points.push_back(s.points[v]);
+    result.copy_of.push_back(v);
+    result.origin.push_back(result.origin[v]);
+  }
+  result.face_of = face_of;
+  result.component_of.assign(opened.triangles.size(), 0);
+  result.seams = opened.seams;
+  return result;
+}
+
 } // namespace internal
 
 Verification verify_cut(const Triangle_surface& root, const Cut& cut)

@@ -4,9 +4,11 @@
 #include <meridian/base/Union_find.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/list_elements.h>
+#include <meridian/surface/measures.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 
 namespace meridian {
@@ -28,6 +30,41 @@ void check_surface(const Triangle_surface& s)
   }
   throw Invalid_input_error(internal::list_elements("pieces make up the surface, with the faces", first)
                             + "; a surface is connected: take each piece on its own");
+}
+
+void check_fans(const Triangle_surface& s)
+{
+  std::vector<Index> corners(s.number_of_vertices(), 0);
+  for (const auto& t : s.triangles)
+  {
+    for (Index v : t) { ++corners[v]; }
+  }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    if (corners[v] == 0)
+    {
+      throw Invalid_input_error("vertex " + std::to_string(v) + " belongs to no face; remove it");
+    }
+    s.for_each_outgoing(v, [&](Index) { --corners[v]; });
+    if (corners[v] != 0)
+    {
+      throw Invalid_input_error("vertex " + std::to_string(v)
+                                + " is pinched: its faces form several fans; divide it first");
+    }
+  }
+}
+
+void check_is_disc(const Triangle_surface& s)
+{
+  check_surface(s);
+  const std::size_t loops = boundary_loops(s).size();
+  const int handles = genus(s);
+  if (loops != 1 || handles != 0)
+  {
+    throw Invalid_input_error("the surface is no disc: it has genus " + std::to_string(handles) + " and "
+                              + std::to_string(loops) + (loops == 1 ? " boundary loop" : " boundary loops")
+                              + "; cut it first");
+  }
 }
 
 void check_vertices(const Triangle_surface& s, const std::vector<Index>& vertices, const char* what)

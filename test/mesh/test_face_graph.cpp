@@ -1,61 +1,20 @@
 // Compiled once for each kind of mesh: all at once take more memory than a compiler should.
+#include "support/mesh_types.h"
 #include "support/sample_surfaces.h"
 
 #include <meridian/cut_to_disc.h>
-#include <meridian/find_generators.h>
-#include <meridian/mesh/solve_harmonic_field.h>
+#include <meridian/generators.h>
 #include <meridian/unwrap.h>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/Surface_mesh.h>
-
-#ifdef MERIDIAN_HAS_OPENMESH
-#include <OpenMesh/Core/IO/MeshIO.hh>
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
-
-#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
-#endif
+#include <CGAL/iterator.h>
 
 #include <algorithm>
-#include <boost/mpl/list.hpp>
-
 #include <cmath>
 #include <iterator>
 #include <map>
 #include <vector>
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-#ifdef MERIDIAN_HAS_OPENMESH
-struct In_double : OpenMesh::DefaultTraits
-{
-  using Point = OpenMesh::Vec3d;
-};
-using Mesh_types = boost::mpl::list<OpenMesh::PolyMesh_ArrayKernelT<In_double>>;
-#elif defined(MERIDIAN_POLYHEDRON)
-using Mesh_types = boost::mpl::list<CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_3>>;
-#else
-#define MERIDIAN_SURFACE_MESH
-using Mesh_types = boost::mpl::list<Mesh>;
-#endif
 using namespace meridian;
-
-namespace {
-
-template <class TriangleMesh> constexpr double precision = 1e-12; // of points that are written
-#ifdef MERIDIAN_HAS_OPENMESH
-template <> constexpr double precision<OpenMesh::PolyMesh_ArrayKernelT<In_double>> = 1e-6; // CGAL rounds to float there
-#endif
-
-template <class TriangleMesh> TriangleMesh build_mesh(const Triangle_surface& s)
-{
-  TriangleMesh tm;
-  internal::build(s.points, s.triangles, tm);
-  return tm;
-}
-
-} // namespace
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_converts_there_and_back, TriangleMesh, Mesh_types)
 {
@@ -82,23 +41,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_cut_into_a_disc, TriangleMesh, Mesh_type
   BOOST_TEST(cut_to_disc(tm, by_default).genus == 2);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(generators_are_closed_paths_of_a_refined_mesh, TriangleMesh, Mesh_types)
-{
-  const auto tm = build_mesh<TriangleMesh>(sample::noisy(sample::plate(2, 3), 0.1, 1));
-  TriangleMesh refined;
-  std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>> curves;
-  Generator_options options;
-  options.flow = false;
-  const Generators g = find_generators(tm, refined, std::back_inserter(curves), parameters::generator_options(options));
-  BOOST_TEST(g.pairs.size() == 2u);
-  BOOST_TEST(curves.size() == 4u);
-  for (const auto& path : curves)
-    for (std::size_t i = 0; i < path.size(); ++i)
-    {
-      BOOST_TEST(halfedge(path[i], path[(i + 1) % path.size()], refined).second);
-    }
-}
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(halfedges_receive_texture_coordinates, TriangleMesh, Mesh_types)
 {
   using Halfedge = typename boost::graph_traits<TriangleMesh>::halfedge_descriptor;
@@ -120,38 +62,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(halfedges_receive_texture_coordinates, TriangleMes
   std::map<Halfedge, Kernel::Point_2> by_default;
   unwrap(tm, boost::make_assoc_property_map(by_default));
   BOOST_TEST((by_default == uv));
-}
-
-#ifdef MERIDIAN_SURFACE_MESH
-BOOST_AUTO_TEST_CASE(the_cut_graph_is_an_edge_map_of_the_refined_mesh)
-{
-  const auto tm = build_mesh<Mesh>(sample::noisy(sample::plate(1, 3), 0.1, 1));
-  Mesh disc, refined;
-  const auto cut = cut_to_disc(tm, disc);
-  auto is_cut = refined.add_property_map<Mesh::Edge_index, bool>("e:is_cut", false).first;
-  build_refined_mesh(cut, refined, is_cut);
-  std::size_t n = 0;
-  for (auto e : refined.edges()) { n += is_cut[e]; }
-  BOOST_TEST(n == cut.opened.seams.size());
-  BOOST_TEST(CGAL::is_closed(refined));
-}
-#endif
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(a_field_lies_between_its_prescribed_values, TriangleMesh, Mesh_types)
-{
-  const auto tm = build_mesh<TriangleMesh>(sample::torus(20, 12));
-  using Vertex = typename boost::graph_traits<TriangleMesh>::vertex_descriptor;
-  std::vector<Vertex> all(vertices(tm).begin(), vertices(tm).end());
-  std::map<Vertex, double> values;
-  solve_harmonic_field(tm, std::vector<Vertex>{all[0]}, std::vector<Vertex>{all[100]},
-                       boost::make_assoc_property_map(values));
-  BOOST_TEST(values.size() == all.size());
-  BOOST_TEST(values[all[0]] == 0);
-  BOOST_TEST(values[all[100]] == 1);
-  for (const auto& [v, x] : values) { BOOST_REQUIRE((x >= 0 && x <= 1)); }
-  BOOST_CHECK_THROW(solve_harmonic_field(tm, std::vector<Vertex>{}, std::vector<Vertex>{all[1]},
-                                         boost::make_assoc_property_map(values)),
-                    Invalid_input_error);
 }
 
 // Known answer: contours of the height of a torus on edge are two level circles around its tube, one on each side.
@@ -217,10 +127,12 @@ BOOST_AUTO_TEST_CASE(points_may_lie_in_a_map_of_the_caller)
   const auto cut = cut_to_disc(tm, disc, parameters::cut_options(options).vertex_point_map(map));
   BOOST_TEST((cut.surface.points == cut_to_disc(own, expected, parameters::cut_options(options)).surface.points));
   BOOST_TEST((make_triangle_surface(disc).points == make_triangle_surface(expected).points));
-  std::vector<std::vector<Mesh::Vertex_index>> curves;
-  Mesh refined;
-  const auto g = find_generators(tm, refined, std::back_inserter(curves), CGAL::parameters::vertex_point_map(map));
+  Mesh refined = tm;
+  auto new_points = points;
+  const auto g = generators(refined, CGAL::Emptyset_iterator(), CGAL::Emptyset_iterator(),
+                            CGAL::parameters::vertex_point_map(boost::make_assoc_property_map(new_points)));
   BOOST_TEST(g.smallest_angle_before > 0);
+  BOOST_TEST(new_points.size() == refined.number_of_vertices());
   auto uv = tm.add_property_map<Mesh::Halfedge_index, Kernel::Point_2>("h:uv").first;
   BOOST_TEST(unwrap(tm, uv, CGAL::parameters::vertex_point_map(map)).map.flipped.empty());
 }
@@ -229,9 +141,10 @@ BOOST_AUTO_TEST_CASE(points_may_lie_in_a_map_of_the_caller)
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_result_is_not_added_to_what_a_mesh_has, TriangleMesh, Mesh_types)
 {
   auto tm = build_mesh<TriangleMesh>(sample::torus(8, 6));
-  std::vector<std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor>> curves;
+  const Edge_marks<TriangleMesh> no_cut(tm);
+  for (auto e : edges(tm)) { put(no_cut, e, false); }
   BOOST_CHECK_THROW(cut_to_disc(tm, tm), Invalid_input_error);
-  BOOST_CHECK_THROW(find_generators(tm, tm, std::back_inserter(curves)), Invalid_input_error);
+  BOOST_CHECK_THROW(open_along(tm, no_cut, tm), Invalid_input_error);
   BOOST_TEST(std::distance(vertices(tm).begin(), vertices(tm).end()) == 48);
 }
 
@@ -244,17 +157,17 @@ template <class TriangleMesh> struct In_place
   TriangleMesh tm;
   std::vector<typename Graph::vertex_descriptor> own_vertices;
   std::vector<typename Graph::face_descriptor> own_faces;
-  std::map<typename Graph::edge_descriptor, bool> is_cut;
+  Edge_marks<TriangleMesh> is_cut;
   std::map<typename Graph::vertex_descriptor, double> field;
   std::map<typename Graph::vertex_descriptor, Origin> origin;
   std::map<typename Graph::face_descriptor, Index> face_origin;
   Cut cut;
 
-  In_place(const Triangle_surface& s, const Cut_options& options) : tm(build_mesh<TriangleMesh>(s))
+  In_place(const Triangle_surface& s, const Cut_options& options) : tm(build_mesh<TriangleMesh>(s)), is_cut(tm)
   {
     own_vertices.assign(vertices(tm).begin(), vertices(tm).end());
     own_faces.assign(faces(tm).begin(), faces(tm).end());
-    cut = cut_to_disc(tm, parameters::edge_is_constrained_map(boost::make_assoc_property_map(is_cut))
+    cut = cut_to_disc(tm, parameters::edge_is_constrained_map(is_cut)
                             .vertex_field_map(boost::make_assoc_property_map(field))
                             .cut_options(options)
                             .vertex_origin_map(boost::make_assoc_property_map(origin))
@@ -290,20 +203,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_refined_along_its_cut_in_place, Triangle
       for (std::size_t i = 0; i < a.size(); ++i) { off = std::max(off, distance(a[i], b[i])); }
       BOOST_TEST(off < precision<TriangleMesh>);
       // the edges of the cut graph, by number and by length
-      std::size_t flagged = 0;
       double length = 0;
       const auto vpm = get(CGAL::vertex_point, r.tm);
-      for (const auto& [e, is] : r.is_cut)
+      for (auto h : r.is_cut.marked())
       {
-        flagged += is;
-        if (is)
-        {
-          const auto &p = get(vpm, source(e, r.tm)), &q = get(vpm, target(e, r.tm));
-          length += std::sqrt(CGAL::square(p.x() - q.x()) + CGAL::square(p.y() - q.y()) + CGAL::square(p.z() - q.z()));
-        }
+        const auto &p = get(vpm, source(h, r.tm)), &q = get(vpm, target(h, r.tm));
+        length += std::sqrt(CGAL::square(p.x() - q.x()) + CGAL::square(p.y() - q.y()) + CGAL::square(p.z() - q.z()));
       }
       BOOST_TEST(r.is_cut.size() == static_cast<std::size_t>(refined.number_of_edges()));
-      BOOST_TEST(flagged == r.cut.opened.seams.size());
+      BOOST_TEST(r.is_cut.marked().size() == r.cut.opened.seams.size());
       BOOST_TEST(length == r.cut.length, boost::test_tools::tolerance(1e3 * precision<TriangleMesh>));
       // own vertices keep their places and descriptors, and the field is linear between them
       BOOST_REQUIRE(r.origin.size() == static_cast<std::size_t>(refined.number_of_vertices()));

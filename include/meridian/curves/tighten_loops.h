@@ -34,9 +34,9 @@ struct Tightened_loops
  * \returns the loops, simple and disjoint
  * \pre no vertex is visited twice, by one loop or by two
  * \throws Invalid_input_error if that is not so, if two vertices in a row are not joined by an edge inside the surface,
- *   or if a loop can be contracted to a vertex beside it: there is nothing to pull tight then
+ *   or if a loop bounds a disc: there is nothing to pull tight then
  * \par Complexity
- * that of `tighten_curves()`
+ * that of `tighten_curves()`, and one pass over the surface for each loop
  */
 Tightened_loops tighten_loops(const Triangle_surface& root, const std::vector<std::vector<Index>>& loops,
                               const Tighten_options& options = Tighten_options(), const Progress& progress = {});

@@ -6,6 +6,7 @@
 #include <meridian/curves/morse_complex.h>
 #include <meridian/field/critical_points.h>
 #include <meridian/field/order_surface.h>
+#include <meridian/mesh/internal/convert.h>
 #include <meridian/mesh/internal/morse_graph.h>
 #include <meridian/mesh/make_triangle_surface.h>
 #include <meridian/mesh/parameters.h>
@@ -51,8 +52,7 @@ Critical_counts critical_points(const TriangleMesh& tm, VertexFieldMap field, Ou
 {
   internal::check_parameters<CGAL::internal_np::vertex_point_t>(np);
   const Ordered_surface m = internal::order_by_map(internal::read_surface(tm, np), tm, field);
-  const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> own(vertices(tm).begin(),
-                                                                                       vertices(tm).end());
+  const auto own = internal::vertices_of(tm);
   for (const Critical_point& p : m.critical)
   {
     *out++ = Critical_vertex<TriangleMesh>{own[internal::nearest_root_vertex(m, p.vertex)], p.kind, p.multiplicity};

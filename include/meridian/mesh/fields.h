@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_MESH_FIELDS_H
 #define MERIDIAN_MESH_FIELDS_H
 
+#include <meridian/base/Stage_runner.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/Field.h>
 #include <meridian/field/edge_weights.h>
@@ -42,10 +43,10 @@ void write_field(const TriangleMesh& tm, const std::vector<double>& values, Vert
   for (auto v : vertices(tm)) { put(field, v, values[i++]); }
 }
 
-template <class NamedParameters> Weights weights_of(const NamedParameters& np)
+template <class NamedParameters> Weights weights_of(const NamedParameters& np, Weights otherwise)
 {
   return CGAL::parameters::choose_parameter(CGAL::parameters::get_parameter(np, internal_np::laplacian_weights),
-                                            Weights::POSITIVE);
+                                            otherwise);
 }
 
 } // namespace internal
@@ -78,10 +79,10 @@ void harmonic_field(const TriangleMesh& tm, const VertexRange& minima, const Ver
                     const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check_parameters<internal_np::laplacian_weights_t, CGAL::internal_np::sparse_linear_solver_t,
-                     CGAL::internal_np::vertex_point_t, CGAL::internal_np::visitor_t>(np);
+                             CGAL::internal_np::vertex_point_t, CGAL::internal_np::visitor_t>(np);
   const Triangle_surface root = internal::read_surface(tm, np);
   Order_options options;
-  options.field = Harmonic_field{internal::weights_of(np)};
+  options.field = Harmonic_field{internal::weights_of(np, Weights::POSITIVE)};
   options.minima = internal::numbers_of(tm, minima);
   options.maxima = internal::numbers_of(tm, maxima);
   options.solvers = internal::solvers_of(np);
@@ -93,17 +94,17 @@ void harmonic_field(const TriangleMesh& tm, const VertexRange& minima, const Ver
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
- * writes eigenfunctions of the Laplacian, those of the smallest eigenvalues first, without the constant one. Their mean
- * square is one over the area; each is the same all along a boundary loop.
+ * writes eigenfunctions of the Laplacian, those of the smallest eigenvalues first, without the constant one. The
+ * integral of the square of each is 1, and it is the same all along a boundary loop.
  *
  * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
  * \tparam FieldMapRange a range of models of `WritablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters
  * \param tm a connected triangle mesh
  * \param fields the maps; as many eigenfunctions are sought
- * \param np optional: `laplacian_weights` (not `Weights::MEAN_VALUE`), `sparse_linear_solver`, `vertex_point_map` as for
- *   `harmonic_field()`
- * \returns their eigenvalues
+ * \param np optional: `laplacian_weights` (not `Weights::MEAN_VALUE`; default: `Weights::INTRINSIC_DELAUNAY`),
+ *   `sparse_linear_solver`, `vertex_point_map` as for `harmonic_field()`
+ * \returns their eigenvalues; with weights other than cotangents they are of a graph, and in no unit of the surface
  * \throws Invalid_input_error if there are not so many, Solver_error if they are not found
  * \par Complexity
  * One factorization, and some tens of back-substitutions for each eigenfunction
@@ -113,11 +114,11 @@ std::vector<double> eigenfunctions(const TriangleMesh& tm, const FieldMapRange& 
                                    const NamedParameters& np = CGAL::parameters::default_values())
 {
   internal::check_parameters<internal_np::laplacian_weights_t, CGAL::internal_np::sparse_linear_solver_t,
-                     CGAL::internal_np::vertex_point_t>(np);
+                             CGAL::internal_np::vertex_point_t>(np);
   const Triangle_surface root = internal::read_surface(tm, np);
   const int k = static_cast<int>(std::distance(std::begin(fields), std::end(fields)));
-  const Eigenfunctions found =
-    eigenfunctions_at_vertices(root, k, internal::weights_of(np), internal::solvers_of(np).symmetric);
+  const Eigenfunctions found = eigenfunctions_at_vertices(
+    root, k, internal::weights_of(np, Weights::INTRINSIC_DELAUNAY), internal::solvers_of(np).symmetric);
   std::size_t i = 0;
   for (auto field : fields) { internal::write_field(tm, found.functions[i++], field); }
   return found.values;
@@ -150,9 +151,8 @@ void geodesic_distance(const TriangleMesh& tm, const VertexRange& sources, Verte
   internal::check_parameters<CGAL::internal_np::sparse_linear_solver_t, CGAL::internal_np::vertex_point_t>(np);
   const Triangle_surface root = internal::read_surface(tm, np);
   check_surface(root);
-  internal::write_field(tm,
-                        geodesic_distance(root, internal::numbers_of(tm, sources), internal::solvers_of(np).symmetric),
-                        field);
+  internal::write_field(
+    tm, geodesic_distance(root, internal::numbers_of(tm, sources), internal::solvers_of(np).symmetric), field);
 }
 
 } // namespace meridian

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_MESH_GENERATORS_H
 #define MERIDIAN_MESH_GENERATORS_H
 
+#include <meridian/base/Stage_runner.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/curves/tighten_loops.h>
 #include <meridian/handles/classify_generators.h>
@@ -196,9 +197,8 @@ Tightened_loops tighten(TriangleMesh& tm, const LoopRange& loops, OutputIterator
   Stage_times seconds;
   const Stage_runner run{internal::observer_of(np), seconds};
   Tightened_loops result;
-  run(Stage::TIGHTEN, [&] {
-    result = tighten_loops(root, walks, options, [&](double done) { run.progress(Stage::TIGHTEN, done); });
-  });
+  run(Stage::TIGHTEN,
+      [&] { result = tighten_loops(root, walks, options, [&](double done) { run.progress(Stage::TIGHTEN, done); }); });
   const auto refiner = internal::refine_in_place(root, result.surface, {}, tm, np);
   for (const auto& loop : result.vertices)
   {

@@ -50,12 +50,11 @@ void open_along(const TriangleMesh& tm, EdgeIsConstrainedMap is_cut, OpenedMesh&
   const Opened_surface apart = open_along(marked);
   const auto vertex = internal::build(surface_of(marked, apart).points, apart.triangles, opened);
   internal::if_given(get_parameter(np, CGAL::internal_np::vertex_to_vertex_output_iterator), [&](auto out) {
-    const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> own(vertices(tm).begin(),
-                                                                                         vertices(tm).end());
+    const auto own = internal::vertices_of(tm);
     for (std::size_t v = 0; v < vertex.size(); ++v)
     {
-      *out++ = std::make_pair(own[v < own.size() ? v : static_cast<std::size_t>(apart.copy_of[v - own.size()])],
-                              vertex[v]);
+      *out++ =
+        std::make_pair(own[v < own.size() ? v : static_cast<std::size_t>(apart.copy_of[v - own.size()])], vertex[v]);
     }
   });
   internal::if_given(get_parameter(np, CGAL::internal_np::face_to_face_output_iterator), [&](auto out) {

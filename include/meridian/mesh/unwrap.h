@@ -8,6 +8,8 @@
 #include <meridian/base/vectors.h>
 #include <meridian/map/pack_charts.h>
 #include <meridian/map/planar_map.h>
+#include <meridian/mesh/internal/run_options.h>
+#include <meridian/mesh/internal/write_texture.h>
 #include <meridian/mesh/make_triangle_surface.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/result/recount.h>
@@ -30,7 +32,7 @@ namespace meridian {
  * \param tm the mesh
  * \param uv receives, for each halfedge of a face, the coordinates of its target in that face
  * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are
- *   numbered in the order of `vertices(tm)`), `vertex_point_map`
+ *   numbered in the order of `vertices(tm)`), `vertex_point_map`, `sparse_linear_solver`, `visitor`
  * \returns the cut and its map, recounted
  * \throws Invalid_input_error if the mesh is not connected, or too coarse for a cut of edges; Solver_error if no map
  *   without flipped faces is found; Cancelled
@@ -41,11 +43,14 @@ template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = CGAL:
 Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::unwrap_options_t>(np);
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, CGAL::internal_np::sparse_linear_solver_t,
+                             CGAL::internal_np::visitor_t, internal_np::unwrap_options_t>(np);
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = internal::read_surface(tm, np);
   Unwrap_options options = choose_parameter(get_parameter(np, internal_np::unwrap_options), Unwrap_options());
+  options.cut = internal::with_run(std::move(options.cut), np);
+  options.map.make_solver = internal::solvers_of(np, {options.map.make_solver, {}}).symmetric;
   options.cut.on_edges = true;
   options.cut.refine_where_needed = false;
   options.image_size = 0;
@@ -59,17 +64,7 @@ Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
   {
     throw Solver_error(internal::list_elements("faces are turned over or have no area in the plane", flipped));
   }
-  std::size_t f = 0;
-  for (auto face : faces(tm))
-  {
-    int k = 0;
-    for (auto h : CGAL::halfedges_around_face(halfedge(face, tm), tm))
-    {
-      const Plane_point& p = charts.front().at[u.disc.triangles[f][k++]];
-      put(uv, h, typename boost::property_traits<HalfedgeUVMap>::value_type(p[0], p[1]));
-    }
-    ++f;
-  }
+  internal::write_texture(tm, u.disc.triangles, charts.front().at, uv);
   return u;
 }
 

@@ -24,6 +24,10 @@ Polygon_soup soup_of(const Triangle_surface& root);
 
 Examination examination_of(const Triangle_surface& root);
 
+// What a file would hold of a connected surface that is taken apart along its seams, with origins and faces that are
+// somebody's claim: nothing is made of them here.
+Result_mesh result_of(const Refined_surface& s, const std::vector<Origin>& origins, const std::vector<Index>& face_of);
+
 } // namespace internal
 
 /*!

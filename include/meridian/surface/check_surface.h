@@ -17,6 +17,20 @@ namespace meridian {
 void check_surface(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
+/// checks that each vertex has faces, and that they form one fan.
+/// \throws Invalid_input_error otherwise
+/// \par Complexity
+/// Linear.
+void check_fans(const Triangle_surface& s);
+
+/// \ingroup PkgMeridianSurface
+/// checks that a surface is a disc: connected, with one boundary loop and no handle.
+/// \throws Invalid_input_error otherwise
+/// \par Complexity
+/// Linear.
+void check_is_disc(const Triangle_surface& s);
+
+/// \ingroup PkgMeridianSurface
 /// checks that a surface has some vertices.
 /// \param s the surface
 /// \param vertices their numbers

@@ -6,6 +6,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/field/Scalar_field.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/check_surface.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -58,26 +59,17 @@ template <class TriangleMesh, class VertexPointMap> Triangle_surface convert(con
     s.triangles.push_back({corners[0], corners[1], corners[2]});
   }
   connect(s);
-  for (Index v = 0; v < s.number_of_vertices(); ++v)
-    if (s.outgoing[v] < 0)
-    {
-      throw Invalid_input_error("vertex " + std::to_string(v) + " belongs to no face; remove it");
-    }
-  std::vector<Index> corners(s.number_of_vertices(), 0);
-  for (const auto& t : s.triangles)
-  {
-    for (Index v : t) { ++corners[v]; }
-  }
-  for (Index v = 0; v < s.number_of_vertices(); ++v)
-  {
-    s.for_each_outgoing(v, [&](Index) { --corners[v]; });
-    if (corners[v] != 0)
-    {
-      throw Invalid_input_error("vertex " + std::to_string(v)
-                                + " is pinched: its faces form several fans; divide it first");
-    }
-  }
+  check_fans(s);
   return s;
+}
+
+// The vertices of a mesh in the order of its surface.
+template <class TriangleMesh>
+std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> vertices_of(const TriangleMesh& tm)
+{
+  std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> all;
+  for (auto v : vertices(tm)) { all.push_back(v); }
+  return all;
 }
 
 // The halfedges of a mesh in the order of its surface: halfedge k of a face leaves its corner k, so that corners are the

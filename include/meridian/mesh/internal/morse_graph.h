@@ -8,6 +8,7 @@
 #include <meridian/field/Ordered_surface.h>
 #include <meridian/field/order_surface.h>
 #include <meridian/mesh/Morse_graph.h>
+#include <meridian/mesh/internal/convert.h>
 #include <meridian/surface/Surface_curve.h>
 
 #include <vector>
@@ -45,8 +46,7 @@ template <class TriangleMesh>
 void fill_morse_graph(const Ordered_surface& m, const TriangleMesh& tm, Morse_graph<TriangleMesh>& graph)
 {
   using Mesh_point = typename Morse_edge<TriangleMesh>::Point;
-  const std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> own(vertices(tm).begin(),
-                                                                                       vertices(tm).end());
+  const auto own = vertices_of(tm);
   const Morse_complex complex = make_morse_complex(m);
   graph.clear();
   for (const Critical_point& p : complex.critical)

@@ -183,6 +183,12 @@ void place_new_vertices(const Triangle_surface& root, const Refined_surface& s, 
   using Mesh_number = typename CGAL::Kernel_traits<Mesh_point>::Kernel::FT;
   for (Index v = s.root_vertices; v < s.number_of_vertices(); ++v)
   {
+    if constexpr (std::is_floating_point_v<Number>)
+    {
+      const Point& p = s.points[v];
+      put(vpm, refiner.vertex(v), Mesh_point(Mesh_number(p[0]), Mesh_number(p[1]), Mesh_number(p[2])));
+      continue;
+    }
     const auto coordinate = [&](const auto& read) {
       const Number x =
         interpolate<Number>(root, s.origin(v), [&](Index w) { return Number(read(get(vpm, refiner.vertex(w)))); });

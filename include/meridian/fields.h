@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_FIELDS_H
+#define MERIDIAN_FIELDS_H
+
+/// \file
+/// Solves for fields on a triangle mesh, and finds their critical points and flow lines.
+
+#include <meridian/mesh/critical_points.h>
+#include <meridian/mesh/fields.h>
+
+#endif // MERIDIAN_FIELDS_H
