@@ -8,18 +8,22 @@
 #include <type_traits>
 
 // The table of this package's named parameters. NAME is what a caller writes, NAME_t the tag the library looks up.
+// clang-format off
 #define MERIDIAN_FOR_EACH_PARAMETER(X) \
-  X(cut_options) \
-  X(generator_options) \
-  X(unwrap_options) X(map_options) X(basis_options) X(tighten_options) \
-  X(laplacian_weights) X(field_map) X(vertex_weight_map) X(vertex_field_map) X(vertex_origin_map) X(face_origin_map) X(morse_graph)
+  X(cut_options) X(generator_options) X(basis_options) X(tighten_options) X(unwrap_options) X(map_options) \
+  X(laplacian_weights) X(field_map) X(vertex_weight_map) X(vertex_field_map) X(vertex_origin_map) X(face_origin_map) \
+  X(morse_graph)
 // Those of CGAL's that may stand anywhere in the chain: what a caller writes, and CGAL's tag.
 #define MERIDIAN_FOR_EACH_CGAL_PARAMETER(X) \
   X(vertex_point_map, vertex_point_t) \
-  X(edge_is_constrained_map, edge_is_constrained_t) X(vertex_is_constrained_map, vertex_is_constrained_t) \
-  X(sparse_linear_solver, sparse_linear_solver_t) X(visitor, visitor_t) X(geom_traits, geom_traits_t) \
+  X(geom_traits, geom_traits_t) \
+  X(edge_is_constrained_map, edge_is_constrained_t) \
+  X(vertex_is_constrained_map, vertex_is_constrained_t) \
+  X(sparse_linear_solver, sparse_linear_solver_t) \
+  X(visitor, visitor_t) \
   X(vertex_to_vertex_output_iterator, vertex_to_vertex_output_iterator_t) \
   X(face_to_face_output_iterator, face_to_face_output_iterator_t)
+// clang-format on
 
 namespace meridian {
 
