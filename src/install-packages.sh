@@ -3,7 +3,7 @@
 set -e
 packages="g++ cmake ninja-build libcgal-dev libeigen3-dev libboost-dev libspectra-dev libsuitesparse-dev libopenblas0-serial libcli11-dev
   nlohmann-json3-dev libpugixml-dev zlib1g-dev libpng-dev libjs-three"
-[ "$1" != test ] || packages="$packages libboost-test-dev libbenchmark-dev clang-format clang-tidy pkg-config chromium doxygen assimp-utils libopenmesh-dev"
+[ "$1" != test ] || packages="$packages libboost-test-dev libbenchmark-dev clang-format clang-tidy pkg-config chromium doxygen texlive-binaries assimp-utils libopenmesh-dev"
 missing=
 for p in $packages; do
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$p" 2>/dev/null)" = installed ] || missing="$missing $p"

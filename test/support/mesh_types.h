@@ -16,6 +16,9 @@
 
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #endif
+#ifdef MERIDIAN_ARCHETYPE
+#include "support/Archetype_mesh.h"
+#endif
 #ifdef MERIDIAN_LINEAR_CELL_COMPLEX
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
@@ -36,6 +39,8 @@ struct In_double : OpenMesh::DefaultTraits
   using Point = OpenMesh::Vec3d;
 };
 using Mesh_types = boost::mpl::list<OpenMesh::PolyMesh_ArrayKernelT<In_double>>;
+#elif defined(MERIDIAN_ARCHETYPE)
+using Mesh_types = boost::mpl::list<archetype::Mesh>;
 #elif defined(MERIDIAN_LINEAR_CELL_COMPLEX)
 using Complex_traits = CGAL::Linear_cell_complex_traits<3, Kernel>;
 using Mesh_types =
