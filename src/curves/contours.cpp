@@ -49,6 +49,11 @@ double crossing_fraction(const Ordered_surface& m, Index h, Index level)
   if (!(from < to)) { return 0.5; }
   if (!(at > from)) { return 0; }
   if (!(at < to)) { return 1; }
+  if (m.placement)
+  {
+    const double t = m.placement(from, to, at);
+    return t >= 0 && t <= 1 ? t : 0.5; // no topology rests on it
+  }
   return std::min((at - from) / (to - from), 1.);
 }
 

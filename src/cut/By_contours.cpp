@@ -53,7 +53,8 @@ void cut_along_contours(Cut_job& job, const Field_options& field, const Meridian
   const Triangle_surface& root = job.root;
   const Cut_options& options = job.options;
   Cut& cut = job.cut;
-  const Ordered_surface m = order_for_cut(job, field);
+  Ordered_surface m = order_for_cut(job, field);
+  m.placement = choice.placement;
   Meridian_search search;
   job.run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
   job.run(Stage::MERIDIANS, [&] {

@@ -16,7 +16,8 @@ namespace meridian {
 
 void By_generators::cut_handles(Cut_job& job) const
 {
-  const Ordered_surface m = internal::order_for_cut(job, *this);
+  Ordered_surface m = internal::order_for_cut(job, *this);
+  m.placement = placement;
   Generators g;
   g.genus = job.cut.genus;
   g.surface = Refined_surface(job.root);

@@ -30,9 +30,10 @@ void By_tree_cotree::cut_handles(Cut_job& job) const
 {
   Refined_surface& s = job.cut.surface;
   job.run(Stage::MERIDIANS, [&] {
-    flag_seam(s, source >= 0 ? cut_by_tree_cotree(job.root, source)
-                             : find_short_tree_cotree_cut(
-                               job.root, bases, [&](double done) { job.run.progress(Stage::MERIDIANS, done); }));
+    flag_seam(s, source >= 0
+                   ? cut_by_tree_cotree(job.root, source, metric)
+                   : find_short_tree_cotree_cut(
+                     job.root, bases, [&](double done) { job.run.progress(Stage::MERIDIANS, done); }, metric));
   });
   add_curves(job.cut, Curve_kind::PATH, seam_paths(s));
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -24,12 +25,13 @@ namespace internal {
 namespace {
 
 // The tree of shortest ways along edges from `base`; the boundary costs nothing.
-Edge_tree seam_tree(const Triangle_surface& s, Index base)
+Edge_tree seam_tree(const Triangle_surface& s, Index base, const std::vector<double>& lengths)
 {
-  return grow_edge_tree(s, {{0., base}}, [&](Index h) { return s.opposite[h] < 0 ? 0. : s.length(h); });
+  return grow_edge_tree(s, {{0., base}}, [&](Index h) { return s.opposite[h] < 0 ? 0. : lengths[h]; });
 }
 
-std::vector<Index> close_tree_to_cut(const Triangle_surface& s, const Edge_tree& tree)
+std::vector<Index> close_tree_to_cut(const Triangle_surface& s, const Edge_tree& tree,
+                                     const std::vector<double>& lengths)
 {
   std::vector<char> is_in_tree(s.number_of_halfedges(), 0);
   for (Index h : tree.by)
@@ -42,7 +44,7 @@ std::vector<Index> close_tree_to_cut(const Triangle_surface& s, const Edge_tree&
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
     if (s.opposite[h] > h)
     {
-      loops.emplace_back(is_in_tree[h], -(tree.distance[s.source(h)] + tree.distance[s.target(h)] + s.length(h)), h);
+      loops.emplace_back(is_in_tree[h], -(tree.distance[s.source(h)] + tree.distance[s.target(h)] + lengths[h]), h);
     }
   std::sort(loops.begin(), loops.end());
   std::vector<Index> order;
@@ -63,21 +65,24 @@ void check_index(const char* function, const char* what, Index i, Index size)
 
 } // namespace internal
 
-std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base)
+std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, const Edge_metric& metric)
 {
   internal::check_index("cut_by_tree_cotree", "vertex", base, s.number_of_vertices());
-  return internal::is_sphere(s) ? internal::cut_sphere(s, base)
-                                : internal::close_tree_to_cut(s, internal::seam_tree(s, base));
+  const std::vector<double> lengths = measure_edges(s, metric);
+  if (internal::is_sphere(s)) { return internal::cut_sphere(s, base, lengths); }
+  return internal::close_tree_to_cut(s, internal::seam_tree(s, base, lengths), lengths);
 }
 
-std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases, const Progress& progress)
+std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases, const Progress& progress,
+                                              const Edge_metric& metric)
 {
   if (bases < 1)
   {
     throw Invalid_input_error("find_short_tree_cotree_cut: " + std::to_string(bases)
                               + " base points were asked for; one is the least");
   }
-  if (internal::is_sphere(s)) { return internal::cut_sphere(s, -1); }
+  const std::vector<double> lengths = measure_edges(s, metric);
+  if (internal::is_sphere(s)) { return internal::cut_sphere(s, -1, lengths); }
   const Index n = s.number_of_vertices();
   const bool takes_all = bases >= n;
   const Closed_model g = make_closed_model(s);
@@ -88,9 +93,10 @@ std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bas
   const Index wanted = takes_all ? n : static_cast<Index>(bases);
   for (Index i = 0; i < wanted; ++i)
   {
-    const internal::Edge_tree tree = internal::seam_tree(s, base);
-    std::vector<Index> cut = internal::close_tree_to_cut(s, tree);
-    const double length = length_of_edges(s, cut);
+    const internal::Edge_tree tree = internal::seam_tree(s, base, lengths);
+    std::vector<Index> cut = internal::close_tree_to_cut(s, tree, lengths);
+    const double length =
+      std::accumulate(cut.begin(), cut.end(), 0., [&](double sum, Index h) { return sum + lengths[h]; });
     if (length < least || i == 0)
     {
       least = length;
@@ -120,7 +126,7 @@ std::vector<Index> straighten_edge_cut(const Triangle_surface& s, const std::vec
 std::vector<Index> cut_by_removing_faces(const Triangle_surface& s, Index seed_face, Path_ends ends, int rounds)
 {
   if (seed_face != -1) { internal::check_index("cut_by_removing_faces", "face", seed_face, s.number_of_faces()); }
-  if (internal::is_sphere(s)) { return internal::cut_sphere(s, -1); }
+  if (internal::is_sphere(s)) { return internal::cut_sphere(s, -1, measure_edges(s, {})); }
   if (seed_face < 0)
   {
     const Closed_model g = make_closed_model(s);

@@ -2,6 +2,7 @@
 #include <meridian/cut/edge_cuts_near.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/cut/Edge_metric.h>
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/cut/internal/edge_trees.h>
 
@@ -71,7 +72,7 @@ namespace {
 // A tree of edges near the seam of a closed sphere, that joins the seam's ends.
 std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Seam_trace& trace)
 {
-  if (trace.ends.size() < 2) { return cut_sphere(root, -1); }
+  if (trace.ends.size() < 2) { return cut_sphere(root, -1, measure_edges(root, {})); }
   constexpr double away = 1000; // how much longer an edge counts that leaves the faces of the seam
   const auto is_beside = [&](Index v) { return trace.beside[v] < std::numeric_limits<double>::infinity(); };
   const Edge_tree tree = grow_edge_tree(root, {{0., trace.ends.front()}}, [&](Index h) {
@@ -83,7 +84,7 @@ std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Seam_trac
     for (Index h : way_to(root, tree, v)) { is_cut[h] = 1; }
   }
   std::vector<Index> edges = flagged_edges(root, is_cut);
-  return edges.size() < 2 ? cut_sphere(root, trace.ends.front()) : edges;
+  return edges.size() < 2 ? cut_sphere(root, trace.ends.front(), measure_edges(root, {})) : edges;
 }
 
 } // namespace

@@ -32,11 +32,11 @@ std::vector<Index> flagged_edges(const Triangle_surface& s, const std::vector<ch
   return edges;
 }
 
-std::vector<Index> cut_sphere(const Triangle_surface& s, Index from)
+std::vector<Index> cut_sphere(const Triangle_surface& s, Index from, const std::vector<double>& lengths)
 {
   // a closed surface's nodes are its vertices
   if (from < 0) { from = find_distant_nodes(s, make_closed_model(s)).first; }
-  Edge_tree tree = grow_edge_tree(s, {{0., from}}, [&](Index h) { return s.length(h); });
+  Edge_tree tree = grow_edge_tree(s, {{0., from}}, [&](Index h) { return lengths[h]; });
   Index to = from == 0 ? 1 : 0;
   for (Index v = 0; v < s.number_of_vertices(); ++v)
   {
@@ -46,7 +46,7 @@ std::vector<Index> cut_sphere(const Triangle_surface& s, Index from)
   {
     const Index e = s.edge(tree.by[to]);
     tree = grow_edge_tree(
-      s, {{0., from}}, [&](Index h) { return s.edge(h) == e ? std::numeric_limits<double>::infinity() : s.length(h); });
+      s, {{0., from}}, [&](Index h) { return s.edge(h) == e ? std::numeric_limits<double>::infinity() : lengths[h]; });
   }
   std::vector<Index> edges = way_to(s, tree, to);
   std::sort(edges.begin(), edges.end());

@@ -280,12 +280,14 @@ Generators find_generators(const Triangle_surface& root, const Generator_options
     if (options.is_open && g.boundary_loops > 0)
     {
       const Filled_surface filled = fill_boundary(root);
-      const Ordered_surface m = order_with_free_boundary(root, filled, options, options.solvers, run);
+      Ordered_surface m = order_with_free_boundary(root, filled, options, options.solvers, run);
+      m.placement = options.placement;
       internal::find_generators(root, m, options, run, g, nullptr, &filled);
     }
     else
     {
-      const Ordered_surface m = order_surface(root, {options, false, options.solvers}, run);
+      Ordered_surface m = order_surface(root, {options, false, options.solvers}, run);
+      m.placement = options.placement;
       internal::find_generators(root, m, options, run, g);
     }
   }

@@ -56,6 +56,7 @@ struct Command
   std::function<int()> run; // returns the exit status
 };
 
+Command add_completion(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_cut(CLI::App& app);
 Command add_unwrap(CLI::App& app);

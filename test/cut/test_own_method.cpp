@@ -4,12 +4,15 @@
 
 #include <meridian/base/Union_find.h>
 #include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
 #include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_job.h>
 #include <meridian/cut/Cut_method.h>
 #include <meridian/cut/Cut_options.h>
+#include <meridian/cut/cut_traits.h>
+#include <meridian/cut/edge_cuts.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/seam_paths.h>
@@ -20,7 +23,8 @@
 #include <boost/test/unit_test.hpp>
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -161,4 +165,137 @@ BOOST_AUTO_TEST_CASE(ones_own_method_is_none_of_the_listed)
   const Cut_options o = with_method(with(By_tree_cotree{3}), By_own_method(By_lot()));
   BOOST_TEST(name_of(o.method) == "lot");
   BOOST_TEST(cuts_edges(o.method));
+}
+
+namespace {
+
+// The weakest model of CutTraits: nothing can be done with it but copy it and call its functions.
+class Traits_archetype
+{
+public:
+  explicit Traits_archetype(int& calls) : m_calls(calls) {}
+  Traits_archetype(const Traits_archetype&) = default;
+  Traits_archetype& operator=(const Traits_archetype&) = delete;
+  double preference(const Loop_candidate& loop) const { return ++m_calls, -loop.length; }
+  double edge_length(const Triangle_surface& s, Index h) const { return ++m_calls, s.length(h); }
+  double crossing(double low, double high, double level) const { return ++m_calls, (level - low) / (high - low); }
+
+private:
+  int& m_calls;
+};
+
+double length_by(const Edge_metric& metric, const Triangle_surface& s, const std::vector<Index>& edges)
+{
+  double sum = 0;
+  for (Index h : edges) { sum += metric(s, h); }
+  return sum;
+}
+
+} // namespace
+
+// Theorem: ways along edges are shortest by the metric that is given; its unit does not matter.
+BOOST_DATA_TEST_CASE(edges_are_measured_by_a_metric_of_ones_own, data::xrange(1, 4), genus)
+{
+  const auto s = sample::noisy(sample::plate(genus, 3), 0.1, 3);
+  const Edge_metric top = [](const Triangle_surface& t, Index h) {
+    const double z = (t.points[t.source(h)][2] + t.points[t.target(h)][2]) / 2;
+    return t.length(h) * (z > 0 ? 20 : 1);
+  };
+  const Edge_metric scaled = [&](const Triangle_surface& t, Index h) { return 4 * top(t, h); };
+  const auto own = cut_by_tree_cotree(s, 5, top), plain = cut_by_tree_cotree(s, 5);
+  BOOST_TEST(length_by(top, s, own) < length_by(top, s, plain));
+  BOOST_TEST((cut_by_tree_cotree(s, 5, scaled) == own));
+  By_tree_cotree method{5};
+  method.metric = top;
+  const Cut cut = pipeline::cut(s, with(method));
+  BOOST_TEST(verify_cut(s, cut).failures.empty());
+  BOOST_TEST(cut.opened.seams.size() == own.size());
+  for (const double wrong : {-1., std::nan(""), std::numeric_limits<double>::infinity()})
+  {
+    method.metric = [wrong](const Triangle_surface&, Index) { return wrong; };
+    BOOST_CHECK_THROW(pipeline::cut(s, with(method)), Invalid_input_error);
+  }
+}
+
+// Theorem (Erickson, Whittlesey 2005): beside the tree of shortest ways, a cut has the edges whose loops are shortest
+// together: those that a spanning tree of faces over the longest leaves. Recounted by Bellman and Ford, and Kruskal.
+BOOST_DATA_TEST_CASE(loops_at_a_base_are_shortest_by_the_metric, data::xrange(8), seed)
+{
+  const auto s = sample::plate(2, 2);
+  const Edge_metric metric = [&](const Triangle_surface& t, Index h) {
+    std::mt19937 random(static_cast<unsigned>(1000 * seed + t.edge(h)));
+    return 1 + random() % 1000003 / 10000.;
+  };
+  std::vector<double> distance(s.number_of_vertices(), std::numeric_limits<double>::infinity());
+  std::vector<Index> by(s.number_of_vertices(), -1);
+  distance[3] = 0;
+  for (Index round = 0; round < s.number_of_vertices(); ++round)
+    for (Index h = 0; h < s.number_of_halfedges(); ++h)
+    {
+      const double d = distance[s.source(h)] + metric(s, h);
+      if (!(d < distance[s.target(h)])) { continue; }
+      distance[s.target(h)] = d;
+      by[s.target(h)] = s.edge(h);
+    }
+  const auto loop = [&](Index h) { return distance[s.source(h)] + distance[s.target(h)] + metric(s, h); };
+  std::vector<Index> closing;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.edge(h) == h && std::find(by.begin(), by.end(), h) == by.end()) { closing.push_back(h); }
+  }
+  std::sort(closing.begin(), closing.end(), [&](Index a, Index b) { return loop(a) > loop(b); });
+  Union_find pieces(s.number_of_faces());
+  double shortest = 0;
+  for (Index h : closing)
+  {
+    if (!pieces.unite(s.face(h), s.face(s.opposite[h]))) { shortest += loop(h); }
+  }
+  double found = 0;
+  for (Index h : cut_by_tree_cotree(s, 3, metric))
+  {
+    if (std::find(by.begin(), by.end(), h) == by.end()) { found += loop(h); }
+  }
+  BOOST_TEST(found == shortest, boost::test_tools::tolerance(1e-12));
+}
+
+// Level lines cross edges where one wants, and stay what they are by topology wherever that is.
+BOOST_DATA_TEST_CASE(crossings_are_placed_where_one_wants, data::make({0.25, 0.5, 0.75, -3., std::nan("")}), place)
+{
+  const auto s = sample::torus(24, 12);
+  By_contours method;
+  method.placement = [place](double low, double high, double level) {
+    BOOST_REQUIRE((low < high && low < level && level < high));
+    return place;
+  };
+  Cut_options o = with(method);
+  o.tightening = Tightening::NONE;
+  const Cut cut = pipeline::cut(s, o);
+  BOOST_TEST(verify_cut(s, cut).failures.empty());
+  const double wanted = place > 0 ? place : 0.5;
+  int on_edges = 0;
+  const Named_curve meridian = curves_of(cut, Curve_kind::MERIDIAN).front();
+  for (Index v : meridian.vertices)
+  {
+    const Origin at = cut.surface.origin(v);
+    if (at.kind != Origin::EDGE) { continue; }
+    ++on_edges;
+    BOOST_TEST(std::min(std::abs(at.weight[0] - wanted), std::abs(1 - at.weight[0] - wanted)) < 1e-12);
+  }
+  BOOST_TEST(on_edges > 0);
+}
+
+BOOST_AUTO_TEST_CASE(traits_are_asked_by_the_methods_that_they_concern)
+{
+  const auto s = sample::torus(16, 8);
+  for (const Cut_method& method : all<Cut_method>())
+  {
+    int calls = 0;
+    const Cut_options o = with_traits(with(method), Traits_archetype(calls));
+    const Cut cut = pipeline::cut(s, o), by_default = pipeline::cut(s, with_traits(with(method), Default_cut_traits()));
+    BOOST_TEST(verify_cut(s, cut).failures.empty());
+    const bool is_asked =
+      !std::holds_alternative<By_flow_lines>(method) && !std::holds_alternative<By_removing_faces>(method);
+    BOOST_TEST((calls > 0) == is_asked);
+    BOOST_TEST((by_default.opened.seams == pipeline::cut(s, with(method)).opened.seams)); // the default changes nothing
+  }
 }

@@ -444,6 +444,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_cut_heeds_its_visitor_and_its_solver, Mesh, Mesh
   BOOST_TEST(Counting_solver::solved > before);
   BOOST_TEST(boost::num_vertices(graph) == 4u);
   BOOST_TEST(boost::num_edges(graph) == 8u);
+  auto by_traits = build_mesh<Mesh>(s), by_default = build_mesh<Mesh>(s);
+  BOOST_TEST((cut_to_disc(by_traits, parameters::cut_traits(Default_cut_traits())).opened.seams
+              == cut_to_disc(by_default).opened.seams));
   Cut_options options;
   options.method = By_tree_cotree();
   auto edges_alone = build_mesh<Mesh>(s);

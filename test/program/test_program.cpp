@@ -350,6 +350,32 @@ BOOST_FIXTURE_TEST_CASE(help_lists_every_choice_and_another_word_is_refused, Fix
   BOOST_TEST(contains(refused.error, "contours"), refused.error);
 }
 
+BOOST_FIXTURE_TEST_CASE(the_manual_and_the_shell_know_every_choice, Fixture)
+{
+  std::ifstream file(MERIDIAN_MANUAL);
+  const std::string manual{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const auto tables = meridian("completion --markdown");
+  BOOST_TEST(tables.status == 0);
+  BOOST_TEST(contains(tables.out, "| `tree-cotree` | "));
+  BOOST_TEST(contains(manual, tables.out), "doc/manual.md must hold what `meridian completion --markdown` prints");
+  const auto complete = [&](const std::string& words, int word) {
+    std::ofstream script("complete.sh");
+    script << "source <(" << MERIDIAN_PROGRAM << " completion)\nCOMP_WORDS=(meridian " << words
+           << ")\nCOMP_CWORD=" << word << "\n_meridian\necho \"${COMPREPLY[@]}\" >completed\n";
+    script.close();
+    BOOST_TEST(std::system("bash complete.sh") == 0);
+    std::ifstream completed("completed");
+    std::string line;
+    std::getline(completed, line);
+    return line;
+  };
+  BOOST_TEST(complete("", 1) == "info cut unwrap compare generators verify");
+  BOOST_TEST(complete("cut --method ge", 3) == "generators geodesic geometry-image");
+  BOOST_TEST(complete("compare --weights p", 3) == "positive");
+  BOOST_TEST(complete("unwrap --para", 2) == "--parameterization");
+  BOOST_TEST(complete("verify a", 2) == ""); // files are left to the shell
+}
+
 #ifdef MERIDIAN_CHROMIUM
 BOOST_FIXTURE_TEST_CASE(the_page_shows_the_surface_and_the_cut_without_an_error, Fixture)
 {

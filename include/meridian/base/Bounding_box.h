@@ -13,10 +13,13 @@ namespace meridian {
 /// the smallest box with sides along the axes that holds some points.
 template <class Vector> struct Bounding_box
 {
-  Vector low, high;
+  Vector low;  ///< the least coordinates
+  Vector high; ///< the greatest coordinates
 
+  /// \param p the first point
   explicit Bounding_box(const Vector& p) : low(p), high(p) {}
 
+  /// \param p a point that the box grows to hold
   void add(const Vector& p)
   {
     for (std::size_t k = 0; k < low.size(); ++k)

@@ -51,7 +51,7 @@ template <> struct Names<Stage>
     {Stage::OPEN, "open", "the surface is opened"},
     {Stage::PARAMETERIZE, "parameterize", "discs are mapped into the plane"},
     {Stage::VERIFY, "verify", "the result is recounted"},
-  }};
+  }}; ///< one row a value
 };
 
 /// \ingroup PkgMeridianProgress
@@ -82,6 +82,7 @@ using Run_stage = std::function<void(Stage, const std::function<void()>&)>;
 
 /// \ingroup PkgMeridianProgress
 /// runs a stage that nobody watches.
+/// \param work what the stage does
 inline void run_unwatched(Stage, const std::function<void()>& work) { work(); }
 
 } // namespace meridian

@@ -16,16 +16,18 @@ namespace meridian {
 /// where a vertex of a result lies on the input file: on a vertex, inside an edge or inside a face.
 struct Result_origin
 {
+  /// what a vertex may lie on.
   enum Kind : std::uint8_t
   {
     VERTEX,
     EDGE,
     FACE
   };
-  Kind kind = VERTEX;
+  Kind kind = VERTEX;                        ///< what it lies on
   std::array<std::int32_t, 2> index{-1, -1}; ///< a vertex; two vertices, the lower first; or a triangle of the input
   std::array<double, 3> weight{0, 0, 0};     ///< nothing; the fraction from the first; or barycentric coordinates
 
+  /// \param o another origin \returns whether both are the same, to the bit
   bool operator==(const Result_origin& o) const { return kind == o.kind && index == o.index && weight == o.weight; }
 };
 
@@ -34,12 +36,12 @@ struct Result_origin
 /// copies.
 struct Result_mesh
 {
-  std::vector<Point> points;
-  std::vector<std::array<std::int32_t, 3>> faces;
-  std::vector<std::int32_t> copy_of;      ///< for each vertex the one it doubles, or -1
-  std::vector<Result_origin> origin;      ///< for each vertex
-  std::vector<std::int32_t> face_of;      ///< for each face the polygon of the input
-  std::vector<std::int32_t> component_of; ///< for each face
+  std::vector<Point> points;                      ///< one a vertex
+  std::vector<std::array<std::int32_t, 3>> faces; ///< the vertices of each
+  std::vector<std::int32_t> copy_of;              ///< for each vertex the one it doubles, or -1
+  std::vector<Result_origin> origin;              ///< for each vertex
+  std::vector<std::int32_t> face_of;              ///< for each face the polygon of the input
+  std::vector<std::int32_t> component_of;         ///< for each face
   /// pairs of sides that were one edge; side `3*f + k` leaves corner `k` of face `f`
   std::vector<std::array<std::int32_t, 2>> seams;
 };
@@ -48,8 +50,8 @@ struct Result_mesh
 /// a named curve of a result: vertices in order, the first repeated at the end if it is closed.
 struct Result_curve
 {
-  std::string name;
-  std::vector<std::int32_t> points;
+  std::string name;                 ///< in the file
+  std::vector<std::int32_t> points; ///< vertices of the result
   /// of flow lines: values at vertices of the input around, linear along its edges
   std::map<std::int32_t, double> field;
 };

@@ -31,10 +31,12 @@ private:
 /// runs stages, with a clock, and tells an observer that may be absent.
 struct Stage_runner
 {
-  Progress_observer* observer;
-  Stage_times& seconds;
+  Progress_observer* observer; ///< told of the stages, or null
+  Stage_times& seconds;        ///< receives how long each stage took
 
-  /// runs a stage; what it throws goes on
+  /// runs a stage; what it throws goes on.
+  /// \param stage the stage
+  /// \param work what it does: a function without arguments
   template <class Work> void operator()(Stage stage, const Work& work) const
   {
     const internal::Stage_scope scope(observer, stage);
@@ -43,7 +45,9 @@ struct Stage_runner
     seconds.emplace_back(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     scope.finish();
   }
-  /// tells how much of a stage is done, and throws `Cancelled` if the observer wants to end the run
+  /// tells how much of a stage is done, and throws `Cancelled` if the observer wants to end the run.
+  /// \param stage the stage
+  /// \param done from 0 to 1
   void progress(Stage stage, double done) const;
 };
 

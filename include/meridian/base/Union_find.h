@@ -15,15 +15,16 @@ namespace meridian {
 class Union_find
 {
 public:
+  /// each number in a set of its own. \param n how many there are
   explicit Union_find(Index n) : m_parent(n), m_size(n, 1) { std::iota(m_parent.begin(), m_parent.end(), Index(0)); }
 
-  /// \returns the number that stands for the set of `a`
+  /// \param a a number \returns the number that stands for its set
   Index find(Index a)
   {
     while (m_parent[a] != a) { a = m_parent[a] = m_parent[m_parent[a]]; }
     return a;
   }
-  /// joins two sets. \returns whether they were different
+  /// joins two sets. \param a, b a number of each \returns whether they were different
   bool unite(Index a, Index b)
   {
     a = find(a);

@@ -13,19 +13,26 @@ namespace meridian {
 /// what was counted on one component of the input and of the result.
 struct Component_count
 {
-  int vertices = 0, edges = 0, faces = 0; ///< of the input, polygons divided into triangles
-  int euler_characteristic = 0, boundary_loops = 0, genus = 0;
-  int discs = 0;                                                ///< components of the result that it became
-  int disc_euler_characteristic = 0, disc_boundary_loops = 0;   ///< of those together
-  int glued_euler_characteristic = 0, glued_boundary_loops = 0; ///< after the seams are glued
+  int vertices = 0;                   ///< of the input
+  int edges = 0;                      ///< of the input, polygons divided into triangles
+  int faces = 0;                      ///< of the input, polygons divided into triangles
+  int euler_characteristic = 0;       ///< of the input
+  int boundary_loops = 0;             ///< of the input
+  int genus = 0;                      ///< of the input, its boundary loops filled
+  int discs = 0;                      ///< components of the result that it became
+  int disc_euler_characteristic = 0;  ///< of those together
+  int disc_boundary_loops = 0;        ///< of those together
+  int glued_euler_characteristic = 0; ///< after the seams are glued
+  int glued_boundary_loops = 0;       ///< after the seams are glued
 };
 
 /// \ingroup PkgMeridianVerification
 /// what was found; a failed check is a result, not an error.
 struct Verification
 {
-  std::vector<Component_count> components;
-  std::vector<std::string> failures; ///< each names a defect, counts it and gives the first elements
+  std::vector<Component_count> components; ///< one a component of the input
+  std::vector<std::string> failures;       ///< each names a defect, counts it and gives the first elements
+  /// \returns whether no check failed
   explicit operator bool() const { return failures.empty(); }
 };
 
@@ -33,7 +40,8 @@ struct Verification
 /// what was counted about curves on one component.
 struct Curve_count
 {
-  int pairs = 0, boundary_loops = 0;
+  int pairs = 0;          ///< of a meridian and a longitude
+  int boundary_loops = 0; ///< of the component
   /// the intersection matrix of the curves in the order meridian, longitude, meridian, ...: its entries that are not
   /// zero
   std::map<std::pair<int, int>, int> intersections;

@@ -12,7 +12,8 @@ namespace meridian {
 /// numbers in groups: group `g` has the elements `element[begin[g]]` to `element[begin[g + 1] - 1]`, ascending.
 struct Groups
 {
-  std::vector<Index> begin, element;
+  std::vector<Index> begin;   ///< where each group begins in `element`, and after the last where it ends
+  std::vector<Index> element; ///< the numbers, group after group
 };
 
 /// \ingroup PkgMeridianSurface

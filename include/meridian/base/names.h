@@ -15,8 +15,9 @@ namespace meridian {
 /// a value of an enum, its name in reports and options, and what it means in a few words.
 template <class Enum> struct Named_value
 {
-  Enum value;
-  const char *name, *meaning;
+  Enum value;          ///< of the enum
+  const char* name;    ///< in reports and options
+  const char* meaning; ///< in a few words
 };
 
 /// \ingroup PkgMeridianNames
@@ -29,15 +30,17 @@ template <class Enum> struct Names;
 /// type has it as `static constexpr Choice_name names`.
 struct Choice_name
 {
-  const char *name, *meaning;
+  const char* name;    ///< in reports and options
+  const char* meaning; ///< in a few words
 };
 
 /// \ingroup PkgMeridianNames
 /// a choice with knobs of its own, as it is before anybody turned one, its name and what it means.
 template <class Variant> struct Named_choice
 {
-  Variant (*make)();
-  const char *name, *meaning;
+  Variant (*make)();   ///< makes it, with its knobs as they are at first
+  const char* name;    ///< in reports and options
+  const char* meaning; ///< in a few words
 };
 
 namespace internal {
@@ -75,7 +78,7 @@ template <class Variant> Variant value_of(const Named_choice<Variant>& v) { retu
 /// the one table of choices that are types: of those that have `names`, in the order of the variant.
 template <class... Type> struct Names<std::variant<Type...>>
 {
-  static constexpr auto table = internal::table_of_choices<Type...>();
+  static constexpr auto table = internal::table_of_choices<Type...>(); ///< one row a choice
 };
 
 /// \ingroup PkgMeridianNames
@@ -106,6 +109,7 @@ template <class Enum> constexpr bool is_in_order()
 
 /// \ingroup PkgMeridianNames
 /// \returns the name of a value as it stands in reports and options
+/// \param value the value
 /// \throws std::out_of_range if the table does not have it
 template <class Enum, class Table = decltype(Names<Enum>::table)> constexpr const char* name_of(Enum value)
 {
@@ -115,6 +119,7 @@ template <class Enum, class Table = decltype(Names<Enum>::table)> constexpr cons
 
 /// \ingroup PkgMeridianNames
 /// \returns the name of a choice as it stands in reports and options: that of its type, or its own member `name`
+/// \param choice the choice
 template <class... Type> std::string name_of(const std::variant<Type...>& choice)
 {
   return std::visit(
@@ -128,6 +133,7 @@ template <class... Type> std::string name_of(const std::variant<Type...>& choice
 
 /// \ingroup PkgMeridianNames
 /// \returns the value that a name stands for, if there is one
+/// \param name the name, as `name_of()` gives it
 template <class Enum> std::optional<Enum> from_name(const std::string& name)
 {
   for (const auto& v : Names<Enum>::table)

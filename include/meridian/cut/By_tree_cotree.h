@@ -4,6 +4,7 @@
 
 #include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
+#include <meridian/cut/Edge_metric.h>
 #include <meridian/surface/Triangle_surface.h>
 
 namespace meridian {
@@ -16,8 +17,9 @@ struct By_tree_cotree
 {
   static constexpr Choice_name names{"tree-cotree", "shortest loops of edges at a base point"};
   static constexpr bool cuts_edges = true, moves_onto_edges = false;
-  Index source = -1; ///< the base point; -1: several are tried
-  int bases = 16;    ///< how many, if none is named
+  Index source = -1;       ///< the base point; -1: several are tried
+  int bases = 16;          ///< how many, if none is named
+  Edge_metric metric = {}; ///< how long edges count; empty: their length
   void cut_handles(Cut_job& job) const;
 };
 

@@ -4,6 +4,7 @@
 
 #include <meridian/base/Progress_observer.h>
 #include <meridian/base/vectors.h>
+#include <meridian/cut/Edge_metric.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <vector>
@@ -32,6 +33,7 @@ enum class Path_ends
  *
  * \param s the surface
  * \param base the vertex that all loops come from
+ * \param metric how long edges count
  *
  * \pre `s` is connected
  * \post the edges are inside the surface, each given as its lower halfedge, sorted; cutting along them leaves one disc
@@ -39,7 +41,7 @@ enum class Path_ends
  * \par Complexity
  * \f$ O(n \log n) \f$
  */
-std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base);
+std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, const Edge_metric& metric = {});
 
 /*!
  * \ingroup PkgMeridianCut
@@ -53,6 +55,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base);
  * \param s the surface
  * \param bases how many base points; from the number of vertices on, all are taken
  * \param progress told after each base how much is done
+ * \param metric how long edges count
  *
  * \pre `s` is connected
  * \post as of `cut_by_tree_cotree()`
@@ -60,7 +63,8 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base);
  * \par Complexity
  * \f$ O(n \log n) \f$ for each base
  */
-std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases = 16, const Progress& progress = {});
+std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases = 16, const Progress& progress = {},
+                                              const Edge_metric& metric = {});
 
 /*!
  * \ingroup PkgMeridianCut

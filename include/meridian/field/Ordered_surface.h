@@ -10,6 +10,7 @@
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ namespace meridian {
 /// a multiple saddle. Curves are carried back by `project_contours()`, so that nothing of this reaches the result.
 struct Ordered_surface
 {
+  /// where a level line crosses an edge, as a fraction of the way from its lower end to its higher one, given the values
+  /// of the field at these and at the level; empty: linear
+  std::function<double(double low, double high, double level)> placement;
   Refined_surface surface;
   Closed_model graph;
   Scalar_field field;                   ///< on the nodes of `graph`

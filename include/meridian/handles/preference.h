@@ -72,6 +72,8 @@ struct Meridian_options
 {
   Preference preference = preference::gaussian_curvature; ///< which are cut first
   Levels levels = Levels::SADDLE;                         ///< where they are taken
+  /// where they cross edges, which shows only if they are not tightened: see `Ordered_surface::placement`
+  std::function<double(double low, double high, double level)> placement = {};
 };
 
 } // namespace meridian

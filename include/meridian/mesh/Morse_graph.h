@@ -19,18 +19,19 @@ template <class TriangleMesh> struct Morse_vertex
 {
   /// of the mesh; of a saddle that was divided into simple ones, the nearest
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex{};
-  Critical_kind kind = Critical_kind::SADDLE;
+  Critical_kind kind = Critical_kind::SADDLE; ///< minimum, saddle or maximum
 };
 
 /// \ingroup PkgMeridianFaceGraph
 /// a flow line from a saddle to a critical point.
 template <class TriangleMesh> struct Morse_edge
 {
+  /// of the mesh
   using Point = typename boost::property_traits<
     typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::const_type>::value_type;
   std::vector<Point> points; ///< from the saddle on
-  double length = 0;
-  bool descends = true;
+  double length = 0;         ///< in the unit of the points
+  bool descends = true;      ///< whether it goes down from the saddle
 };
 
 /// \ingroup PkgMeridianFaceGraph

@@ -21,8 +21,8 @@ template <class TriangleMesh> struct Critical_vertex
 {
   /// the vertex; on a boundary loop, which is one place of the field, one of its vertices
   typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex;
-  Critical_kind kind;
-  int multiplicity; ///< of a saddle: `m` where `m + 1` valleys meet; 1 for extrema
+  Critical_kind kind; ///< minimum, saddle or maximum
+  int multiplicity;   ///< of a saddle: `m` where `m + 1` valleys meet; 1 for extrema
 };
 
 /*!
@@ -31,7 +31,7 @@ template <class TriangleMesh> struct Critical_vertex
  * finds the critical vertices of a field: where the walk around a vertex does not pass between lower and higher exactly
  * twice (Banchoff 1970). Vertices of one value are told apart by their numbers.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`
  * \tparam OutputIterator an output iterator of `Critical_vertex<TriangleMesh>`
  * \tparam NamedParameters a sequence of named parameters
@@ -66,7 +66,7 @@ Critical_counts critical_points(const TriangleMesh& tm, VertexFieldMap field, Ou
  * builds the quasi Morse-Smale complex of a field: the two descending and the two ascending flow lines of every saddle,
  * as a graph on the critical points (Patane 2007, section 4).
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters
  * \param tm a connected triangle mesh

@@ -4,6 +4,7 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/cut/cut_to_disc.h>
+#include <meridian/cut/cut_traits.h>
 #include <meridian/field/order_surface.h>
 #include <meridian/mesh/internal/morse_graph.h>
 #include <meridian/mesh/internal/refine_mesh.h>
@@ -26,8 +27,10 @@ Cut cut_and_recount(const Triangle_surface& root, const TriangleMesh& tm, const 
 {
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
-  const Cut_options options = choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options());
-  Cut cut = meridian::cut_to_disc(root, with_run(with_maps(options, tm, np), np));
+  Cut_options options = choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options());
+  if_given(get_parameter(np, internal_np::cut_traits),
+           [&](const auto& traits) { options = with_traits(std::move(options), traits); });
+  Cut cut = meridian::cut_to_disc(root, with_run(with_maps(std::move(options), tm, np), np));
   const Verification recount = verify_cut(root, cut);
   if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
   return cut;
@@ -51,7 +54,7 @@ Ordered_surface order_again(const Triangle_surface& root, const TriangleMesh& tm
  *
  * cuts a connected triangle mesh into a disc (see `cut_to_disc(const Triangle_surface&, const Cut_options&)`).
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam DiscMesh a model of `MutableFaceGraph` with an internal point map; it may be another type
  * \param tm the mesh
  * \param disc receives the disc: the vertices of `tm` in their order, then new ones, then copies
@@ -66,9 +69,9 @@ template <
     !std::is_same_v<std::remove_const_t<DiscMesh>, Cut_options> && !internal::is_named_parameters<DiscMesh>, int> = 0>
 Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::cut_options_t, internal_np::field_map_t,
-                             internal_np::vertex_weight_map_t, CGAL::internal_np::sparse_linear_solver_t,
-                             CGAL::internal_np::visitor_t>(np);
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, internal_np::cut_options_t, internal_np::cut_traits_t,
+                             internal_np::field_map_t, internal_np::vertex_weight_map_t,
+                             CGAL::internal_np::sparse_linear_solver_t, CGAL::internal_np::visitor_t>(np);
   internal::check_is_empty(disc);
   const Triangle_surface root = internal::read_surface(tm, np);
   Cut cut = internal::cut_and_recount(root, tm, np);
@@ -84,16 +87,18 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
  * `cut_to_disc(const Triangle_surface&, const Cut_options&)`). Vertices, edges and faces that the graph does not cross
  * stay what they are, with their properties; with `Cut_options::on_edges` all do.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
+ * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \param tm the mesh
  * \param np optional:
  *   - `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`);
+ *   - `cut_traits` (a model of `CutTraits`): what the method shall use in place of its own preference, metric of edges and
+ *     places of crossings;
  *   - `field_map` (a `ReadablePropertyMap` from vertices to `double`): the field whose contours are cut;
  *     `vertex_weight_map` (the same): meridians keep to low weights;
  *   - `vertex_point_map` (a `ReadWritePropertyMap`; default: `get(CGAL::vertex_point, tm)`). A new point is constructed
  *     from its neighbours in the map's own kernel: with an exact one it lies on the mesh exactly; in that of
  *     `geom_traits` (a kernel) if it is given;
- *   - `sparse_linear_solver` (a model of `SparseLinearAlgebraWithFactorTraits_d`; default: a Cholesky factorization);
+ *   - `sparse_linear_solver` (a model of `SparseSolverTraits`; default: a Cholesky factorization);
  *   - `visitor` (a `std::reference_wrapper` of, or pointer to, a `Progress_observer`): told of the stages, may end the
  *     run;
  *   - `edge_is_constrained_map` (a `WritablePropertyMap` from edges to `bool`) receives whether an edge is one of the
@@ -115,10 +120,10 @@ Cut cut_to_disc(TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::
 {
   internal::check_parameters<
     CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t,
-    CGAL::internal_np::vertex_is_constrained_t, internal_np::cut_options_t, internal_np::field_map_t,
-    internal_np::vertex_weight_map_t, internal_np::vertex_field_map_t, internal_np::vertex_origin_map_t,
-    internal_np::face_origin_map_t, internal_np::morse_graph_t, CGAL::internal_np::geom_traits_t,
-    CGAL::internal_np::sparse_linear_solver_t, CGAL::internal_np::visitor_t>(np);
+    CGAL::internal_np::vertex_is_constrained_t, internal_np::cut_options_t, internal_np::cut_traits_t,
+    internal_np::field_map_t, internal_np::vertex_weight_map_t, internal_np::vertex_field_map_t,
+    internal_np::vertex_origin_map_t, internal_np::face_origin_map_t, internal_np::morse_graph_t,
+    CGAL::internal_np::geom_traits_t, CGAL::internal_np::sparse_linear_solver_t, CGAL::internal_np::visitor_t>(np);
   const Triangle_surface root = internal::read_surface(tm, np);
   Cut cut = internal::cut_and_recount(root, tm, np);
   internal::if_given(CGAL::parameters::get_parameter(np, internal_np::morse_graph), [&](auto graph) {

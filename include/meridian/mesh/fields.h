@@ -56,7 +56,7 @@ template <class NamedParameters> Weights weights_of(const NamedParameters& np, W
  *
  * writes the field that is harmonic between minima and maxima, where it is 0 and 1.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexRange a range of vertex descriptors
  * \tparam VertexFieldMap a model of `WritablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters
@@ -65,7 +65,7 @@ template <class NamedParameters> Weights weights_of(const NamedParameters& np, W
  * \param field receives the values
  * \param np optional:
  *   - `laplacian_weights` (a `Weights`; default: `Weights::POSITIVE`, with which no other vertex is an extremum)
- *   - `sparse_linear_solver` (a model of `SparseLinearAlgebraWithFactorTraits_d`; default: a Cholesky factorization)
+ *   - `sparse_linear_solver` (a model of `SparseSolverTraits`; default: a Cholesky factorization)
  *   - `vertex_point_map` (a `ReadablePropertyMap`; default: `get(CGAL::vertex_point, tm)`)
  *   - `visitor` (a `std::reference_wrapper` of, or pointer to, a `Progress_observer`)
  * \throws Invalid_input_error if minima and maxima do not go together, Solver_error if the system cannot be solved,
@@ -97,7 +97,7 @@ void harmonic_field(const TriangleMesh& tm, const VertexRange& minima, const Ver
  * writes eigenfunctions of the Laplacian, those of the smallest eigenvalues first, without the constant one. The
  * integral of the square of each is 1, and it is the same all along a boundary loop.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam FieldMapRange a range of models of `WritablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters
  * \param tm a connected triangle mesh
@@ -130,7 +130,7 @@ std::vector<double> eigenfunctions(const TriangleMesh& tm, const FieldMapRange& 
  * writes the distance of each vertex within the surface from the nearest of some vertices (see `geodesic_distance()` on
  * a `Triangle_surface`).
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexRange a range of vertex descriptors
  * \tparam VertexFieldMap a model of `WritablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters

@@ -63,7 +63,7 @@ std::vector<std::vector<Index>> walks_of(const TriangleMesh& tm, const LoopRange
  * refines a connected triangle mesh so that a meridian and a longitude around every handle are edges of it (see
  * `find_generators(const Triangle_surface&, const Generator_options&)`). What they do not cross stays what it is.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
+ * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \tparam MeridianOutputIterator, LongitudeOutputIterator output iterators of `std::vector`s of halfedges
  * \tparam NamedParameters a sequence of named parameters
  * \param tm the mesh
@@ -106,7 +106,7 @@ Generators generators(TriangleMesh& tm, MeridianOutputIterator meridians, Longit
  * refines a connected triangle mesh so that short loops that are a basis of its first homology are edges of it (see
  * `find_shortest_basis()`). They may cross.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
+ * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \tparam OutputIterator an output iterator of `std::vector`s of halfedges
  * \tparam NamedParameters a sequence of named parameters
  * \param tm the mesh
@@ -141,7 +141,7 @@ Homology_basis shortest_basis(TriangleMesh& tm, OutputIterator loops,
  *
  * says for each of some loops on which side of the surface it bounds (handle and tunnel loops: Dey, Li, Sun 2007).
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam LoopRange a range of ranges of halfedges
  * \tparam OutputIterator an output iterator of `Loop_class`
  * \tparam NamedParameters a sequence of named parameters
@@ -169,7 +169,7 @@ void handle_or_tunnel(const TriangleMesh& tm, const LoopRange& loops, OutputIter
  * refines a triangle mesh so that loops of its edges, made as short as they can be in their homotopy classes, are edges
  * of it (see `tighten_loops()`).
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph`, `HalfedgeListGraph` and `MutableFaceGraph`
+ * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \tparam LoopRange a range of ranges of halfedges
  * \tparam OutputIterator an output iterator of `std::vector`s of halfedges
  * \tparam NamedParameters a sequence of named parameters

@@ -30,7 +30,7 @@ Triangle_surface read_surface(const TriangleMesh& tm, const NamedParameters& np)
  * \returns a mesh as a `Triangle_surface`; vertices and faces are numbered in the order of `vertices(tm)` and
  *          `faces(tm)`
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam NamedParameters a sequence of named parameters
  * \param tm the mesh
  * \param np optional: `vertex_point_map` (default: `get(CGAL::vertex_point, tm)`)

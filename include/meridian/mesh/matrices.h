@@ -64,7 +64,8 @@ Triangle_surface make_triangle_surface(const Eigen::MatrixBase<Vertices>& V, con
 }
 
 /// \ingroup PkgMeridianMatrices
-/// \returns the points of a surface, a row each
+/// \param s the surface
+/// \returns its points, a row each
 inline Eigen::MatrixX3d vertex_matrix(const Triangle_surface& s)
 {
   Eigen::MatrixX3d V(s.number_of_vertices(), 3);
@@ -73,7 +74,8 @@ inline Eigen::MatrixX3d vertex_matrix(const Triangle_surface& s)
 }
 
 /// \ingroup PkgMeridianMatrices
-/// \returns the faces of a surface, a row each
+/// \param s the surface
+/// \returns its faces, a row each
 inline Eigen::MatrixX3i face_matrix(const Triangle_surface& s)
 {
   Eigen::MatrixX3i F(s.number_of_faces(), 3);
@@ -85,7 +87,8 @@ inline Eigen::MatrixX3i face_matrix(const Triangle_surface& s)
 }
 
 /// \ingroup PkgMeridianMatrices
-/// \returns the seams of a refined surface as libigl's `igl::cut_mesh()` takes them: row `f` has 1 in column `k` where
+/// \param s a refined surface
+/// \returns its seams as libigl's `igl::cut_mesh()` takes them: row `f` has 1 in column `k` where
 ///          the edge from corner `k` of face `f` to the next is cut, and 0 elsewhere
 inline Eigen::MatrixX3i cut_mask(const Refined_surface& s)
 {
@@ -95,7 +98,8 @@ inline Eigen::MatrixX3i cut_mask(const Refined_surface& s)
 }
 
 /// \ingroup PkgMeridianMatrices
-/// \returns the coordinates of a map, a row for each vertex of the disc, whose faces are the map's
+/// \param map a map of a disc
+/// \returns its coordinates, a row for each vertex of the disc, whose faces are the map's
 inline Eigen::MatrixX2d uv_matrix(const Parameterization& map)
 {
   Eigen::MatrixX2d UV(static_cast<Eigen::Index>(map.at.size()), 2);

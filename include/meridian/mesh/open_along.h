@@ -22,7 +22,7 @@ namespace meridian {
  * builds a mesh that is another one, taken apart along some of its edges: a vertex is doubled for each piece that its
  * faces fall into. What `CGAL::Seam_mesh` shows, as a mesh of its own.
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` from edges to `bool`
  * \tparam OpenedMesh a model of `MutableFaceGraph` with an internal point map; it may be another type
  * \tparam NamedParameters a sequence of named parameters

@@ -24,7 +24,7 @@ namespace meridian {
  * maps a mesh that is a disc, or one where it is opened along some edges, into the unit square (see
  * `parameterize_disc()`).
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam HalfedgeUVMap a model of `WritablePropertyMap` from halfedges to points of the plane that are constructible
  *         from two numbers
  * \tparam NamedParameters a sequence of named parameters
@@ -35,7 +35,7 @@ namespace meridian {
  *     `cut_to_disc()` writes them
  *   - `map_options` (a `Map_options`)
  *   - `vertex_point_map` (a `ReadablePropertyMap`; default: `get(CGAL::vertex_point, tm)`)
- *   - `sparse_linear_solver` (a model of `SparseLinearAlgebraWithFactorTraits_d`; default: a Cholesky factorization)
+ *   - `sparse_linear_solver` (a model of `SparseSolverTraits`; default: a Cholesky factorization)
  *   - `visitor` (a `std::reference_wrapper` of, or pointer to, a `Progress_observer`)
  * \returns the map and its distortion; its vertices are numbered in the order of `vertices(tm)`, copies behind them
  * \throws Invalid_input_error if the mesh is no disc, Solver_error if no method gives a map, Cancelled

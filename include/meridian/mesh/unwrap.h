@@ -25,7 +25,7 @@ namespace meridian {
  * gives a connected triangle mesh texture coordinates in the unit square, without flipped faces; seams are edges of the
  * mesh (see `unwrap_surface()`).
  *
- * \tparam TriangleMesh a model of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam HalfedgeUVMap a model of `WritablePropertyMap` from halfedges to points of the plane that are constructible
  *         from two numbers
  * \tparam NamedParameters a sequence of named parameters

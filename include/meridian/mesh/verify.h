@@ -21,7 +21,7 @@ namespace meridian {
  * recounts a cut of a mesh from the mesh as it was and as it is: that it is the same surface, divided, and that cutting
  * along the marked edges leaves one disc (see `verify_cut()`, which is given plain arrays made of the two).
  *
- * \tparam InputMesh, TriangleMesh models of `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * \tparam InputMesh, TriangleMesh models of `ReadableTriangleMesh`
  * \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` from edges to `bool`
  * \tparam NamedParameters a sequence of named parameters
  * \param input the mesh as it was

@@ -18,8 +18,11 @@ struct Curve_point
   double t = 0;        ///< where on the halfedge, from its source (0) to its target (1)
   Index node = -1;     ///< points of an edge with the same number from 0 on are one point, where curves meet
 
+  /// \param v a vertex \returns the point there
   static Curve_point on_vertex(Index v) { return {v, -1, 0, -1}; }
+  /// \param h the halfedge \param t where on it, from 0 to 1 \returns the point there, with a node of its own
   static Curve_point on_edge(Index h, double t) { return {-1, h, t, -1}; }
+  /// \returns whether it lies on a vertex
   bool is_vertex() const { return vertex >= 0; }
 };
 
@@ -31,11 +34,14 @@ struct Curve_point
 /// in the face of the opposite halfedge.
 struct Surface_curve
 {
-  std::vector<Curve_point> points;
-  bool closed = false; ///< the last point is joined to the first, which is not repeated
+  std::vector<Curve_point> points; ///< in order
+  bool closed = false;             ///< the last point is joined to the first, which is not repeated
 };
 
 /// \ingroup PkgMeridianSurface
+/// \returns where a point of a curve lies in space
+/// \param s the surface
+/// \param p the point
 inline Point position(const Triangle_surface& s, const Curve_point& p)
 {
   return p.is_vertex() ? s.points[p.vertex] : s.point_on(p.halfedge, p.t);
@@ -43,6 +49,8 @@ inline Point position(const Triangle_surface& s, const Curve_point& p)
 
 /// \ingroup PkgMeridianSurface
 /// \returns the length of the curve in the unit of the points
+/// \param s the surface
+/// \param curve the curve
 double length(const Triangle_surface& s, const Surface_curve& curve);
 
 } // namespace meridian

@@ -21,7 +21,7 @@ namespace meridian {
 class Triangle_tree
 {
 public:
-  /// The surface must live as long as the tree.
+  /// \param s the surface, which must live as long as the tree
   explicit Triangle_tree(const Triangle_surface& s);
   explicit Triangle_tree(Triangle_surface&&) = delete;
   ~Triangle_tree();
@@ -32,12 +32,15 @@ public:
   bool empty() const;
 
   /// \returns whether the ray from vertex `v` in a direction meets a face that is not around `v`.
+  /// \param v a vertex of the surface
+  /// \param direction of the ray, not zero
   bool is_hidden(Index v, const Point& direction) const;
 
   /// Prepares for many distances.
   void accelerate_distances();
 
   /// \returns the squared distance of a point from the nearest face. \pre The tree is not empty.
+  /// \param p the point
   double squared_distance(const Point& p) const;
 
 private:

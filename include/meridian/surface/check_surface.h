@@ -11,6 +11,7 @@ namespace meridian {
 
 /// \ingroup PkgMeridianSurface
 /// checks that a surface has faces, and that they are connected.
+/// \param s the surface
 /// \throws Invalid_input_error otherwise; it counts the pieces and names a face of each of the first
 /// \par Complexity
 /// Linear.
@@ -18,6 +19,7 @@ void check_surface(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// checks that each vertex has faces, and that they form one fan.
+/// \param s the surface
 /// \throws Invalid_input_error otherwise
 /// \par Complexity
 /// Linear.
@@ -25,6 +27,7 @@ void check_fans(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// checks that a surface is a disc: connected, with one boundary loop and no handle.
+/// \param s the surface
 /// \throws Invalid_input_error otherwise
 /// \par Complexity
 /// Linear.

@@ -15,18 +15,20 @@ namespace meridian {
 /// a connected component of a soup, as an oriented manifold with indices of its own.
 struct Surface_component
 {
-  Triangle_surface surface;
+  Triangle_surface surface;       ///< the component
   std::vector<Index> vertex_of;   ///< the soup's point of each vertex; ascending, but for those that pinches added
   std::vector<Index> triangle_of; ///< the soup's triangle of each face, as `for_each_triangle()` counts them; ascending
   std::vector<Index> polygon_of;  ///< the soup's polygon of each face
   std::vector<char> is_flipped;   ///< whether the face was turned over: its last two corners change places
-  int boundary_loops = 0;
+  int boundary_loops = 0;         ///< how many there are
   /// a length on `surface` is this many units of the soup; not 1 only for extreme coordinates
   double unit = 1;
+  /// \returns vertices - edges + faces
   int euler_characteristic() const
   {
     return surface.number_of_vertices() - surface.number_of_edges() + surface.number_of_faces();
   }
+  /// \returns the number of handles
   int genus() const { return (2 - euler_characteristic() - boundary_loops) / 2; }
 };
 
@@ -54,6 +56,7 @@ struct Examination
  * \param split whether edges with three or more faces are split: each of their faces gets a border of its own there,
  *        but two faces whose fans already meet at both ends stay together
  *
+ * \returns the components, and what was done to make them
  * \throws Invalid_input_error if there is no face, a used point is not finite, an index is out of range, an edge has
  *         three or more faces and is not split, or a component is not orientable
  * \par Complexity

@@ -12,12 +12,14 @@ namespace meridian {
 /// then, for each loop, one vertex and one face an edge.
 struct Filled_surface
 {
-  Triangle_surface surface;
-  Index vertices = 0, faces = 0; ///< of the surface that was filled
+  Triangle_surface surface; ///< without boundary
+  Index vertices = 0;       ///< of the surface that was filled
+  Index faces = 0;          ///< of the surface that was filled
 };
 
 /// \ingroup PkgMeridianOrder
 /// \returns `root` with its boundary loops filled
+/// \param root the surface
 /// \par Complexity
 /// Linear.
 Filled_surface fill_boundary(const Triangle_surface& root);

@@ -13,14 +13,18 @@ namespace meridian {
 
 /// \ingroup PkgMeridianSurface
 /// \returns the angle of a face at the source of `h`, in radians; 0 where the face has a side of length 0
+/// \param s the surface
+/// \param h a halfedge
 double corner_angle(const Triangle_surface& s, Index h);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the area of the faces
+/// \param s the surface
 double area(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the smallest angle of all faces, in radians; 0 if a face has no area
+/// \param s the surface
 double smallest_angle(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
@@ -33,12 +37,15 @@ struct Curvature
 
 /// \ingroup PkgMeridianSurface
 /// \returns the curvatures at an interior vertex; zero on the boundary and where the area is zero
+/// \param s the surface
+/// \param v the vertex
 /// \par Complexity
 /// Linear in the degree. See Meyer, Desbrun, Schroeder, Barr 2003 and Cohen-Steiner, Morvan 2003.
 Curvature curvature(const Triangle_surface& s, Index v);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the genus of a surface, whose boundary loops do not count
+/// \param s the surface
 /// \pre `s` is connected
 /// \par Complexity
 /// Linear.
@@ -46,11 +53,16 @@ int genus(const Triangle_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the length of each edge of a closed model, in the order of its edges
+/// \param s the surface
+/// \param g its closed model
 std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& g);
 
 /// \ingroup PkgMeridianSurface
 /// \returns for each node its distance from `source` along edges of the mesh, infinite where it cannot be reached.
 ///          Going along a boundary loop costs nothing, as in the closed model.
+/// \param g the closed model
+/// \param lengths one an edge of `g`, as made by `edge_lengths()`
+/// \param source a node
 /// \par Complexity
 /// \f$ O(n \log n) \f$ (Dijkstra 1959).
 std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source);
@@ -59,6 +71,9 @@ std::vector<double> edge_distances(const Closed_model& g, const std::vector<doub
 /// \returns two nodes that are far apart: from the node farthest from the centroid of the vertices, to the node
 ///          farthest from that along edges, and on as long as the distance grows, at most `sweeps` times. The
 ///          distance found is at least half of the largest.
+/// \param s the surface
+/// \param g its closed model
+/// \param sweeps at least 1
 /// \pre the graph is connected and has at least two nodes
 std::pair<Index, Index> find_distant_nodes(const Triangle_surface& s, const Closed_model& g, int sweeps = 2);
 
@@ -72,6 +87,8 @@ double length(const Triangle_surface& s, const std::vector<Index>& loop);
 /// \returns the area of each node of a closed model: a third of the faces at its vertices (the lumped mass matrix).
 ///          None is less than a hundred-millionth of the mean, so that the areas can be divided by; all are 1 if no
 ///          face has any.
+/// \param s the surface
+/// \param g its closed model
 /// \par Complexity
 /// Linear.
 std::vector<double> node_areas(const Triangle_surface& s, const Closed_model& g);

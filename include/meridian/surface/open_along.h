@@ -29,6 +29,7 @@ struct Opened_surface
  * The sector of a vertex that holds its first face keeps the vertex; the others get copies, numbered by vertex and then
  * counterclockwise.
  *
+ * \param s the surface
  * \returns the opened surface
  * \par Complexity
  * Linear.
@@ -37,6 +38,8 @@ Opened_surface open_along(const Refined_surface& s);
 
 /// \ingroup PkgMeridianSurface
 /// \returns an opened surface as a surface of its own, with the faces and halfedges of the refined one
+/// \param s the refined surface
+/// \param opened what `open_along()` made of it
 Triangle_surface surface_of(const Refined_surface& s, const Opened_surface& opened);
 
 } // namespace meridian

@@ -28,6 +28,9 @@ bool find_stretch(const Triangle_surface& root, const Refined_surface& s, Index 
 
 /// \ingroup PkgMeridianOrder
 /// \returns the root vertex nearest to a vertex of a refined surface
+/// \param root the root
+/// \param s a refinement of it
+/// \param v a vertex of `s`
 Index root_vertex(const Triangle_surface& root, const Refined_surface& s, Index v);
 
 } // namespace meridian

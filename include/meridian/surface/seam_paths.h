@@ -12,6 +12,7 @@ namespace meridian {
 /// \ingroup PkgMeridianSurface
 /// \returns the seam of a surface as paths of vertices, between vertices where other than two seam edges meet or that
 ///          lie on the boundary. A circle without such a vertex begins and ends at its lowest one.
+/// \param s the surface
 /// \par Complexity
 /// Linear.
 std::vector<std::vector<Index>> seam_paths(const Refined_surface& s);

@@ -21,10 +21,13 @@ inline void flag_seam(Refined_surface& s, const std::vector<Index>& edges)
 
 /// \ingroup PkgMeridianCut
 /// \returns the length of some edges together
+/// \param s the surface
+/// \param edges a halfedge of each
 double length_of_edges(const Triangle_surface& s, const std::vector<Index>& edges);
 
 /// \ingroup PkgMeridianSurface
 /// \returns the length of the seams, each edge counted once
+/// \param s the surface
 double seam_length(const Refined_surface& s);
 
 } // namespace meridian

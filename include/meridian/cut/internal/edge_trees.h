@@ -61,7 +61,7 @@ inline bool is_sphere(const Triangle_surface& s)
 
 // The shortest way of at least two edges from `from`, or a vertex far out if that is -1, to the vertex that is farthest
 // from it.
-std::vector<Index> cut_sphere(const Triangle_surface& s, Index from);
+std::vector<Index> cut_sphere(const Triangle_surface& s, Index from, const std::vector<double>& lengths);
 
 // Flags, on both halfedges, the edges inside the surface that a spanning tree of the faces does not cross. The tree
 // takes edges in the order given (Kruskal 1956). What is left, with the boundary, is connected, and the faces make one
