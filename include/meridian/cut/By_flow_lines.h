@@ -13,8 +13,12 @@ struct Cut_job;
 /// cuts the descending flow lines of all saddles (Ni, Garland, Hart 2004). Of the field's maxima the highest is kept.
 struct By_flow_lines : Field_options
 {
+  /// its name in reports and options
   static constexpr Choice_name names{"morse", "the descending flow lines of all saddles"};
-  static constexpr bool cuts_edges = false, moves_onto_edges = false;
+  static constexpr bool cuts_edges = false;       ///< whether it finds a whole cut graph of edges
+  static constexpr bool moves_onto_edges = false; ///< whether its curves can be moved onto edges one by one
+  /// cuts the handles.
+  /// \param job the surface and the choices, and what is filled
   void cut_handles(Cut_job& job) const;
 };
 

@@ -15,9 +15,13 @@ struct Cut_job;
 /// cuts a meridian and a longitude for each handle (Patane 2007, section 4).
 struct By_generators : Field_options, Meridian_options
 {
+  /// its name in reports and options
   static constexpr Choice_name names{"generators", "a meridian and a longitude for each handle"};
-  static constexpr bool cuts_edges = false, moves_onto_edges = false;
-  Generator_join join = Generator_join::SURFACE; ///< how the pairs are joined
+  static constexpr bool cuts_edges = false;       ///< whether it finds a whole cut graph of edges
+  static constexpr bool moves_onto_edges = false; ///< whether its curves can be moved onto edges one by one
+  Generator_join join = Generator_join::SURFACE;  ///< how the pairs are joined
+  /// cuts the handles.
+  /// \param job the surface and the choices, and what is filled
   void cut_handles(Cut_job& job) const;
 };
 

@@ -21,22 +21,29 @@ struct Cut_job;
 class By_own_method
 {
 public:
+  /// \tparam Method a model of `CutMethod`
+  /// \param method the method, which is copied
   template <class Method>
   explicit By_own_method(Method method)
     : name(Method::names.name), cuts_edges(Method::cuts_edges), moves_onto_edges(Method::moves_onto_edges),
       m_cut([method = std::move(method)](Cut_job& job) { method.cut_handles(job); })
   {}
 
-  std::string name;
-  bool cuts_edges, moves_onto_edges;
+  std::string name;      ///< that of the method
+  bool cuts_edges;       ///< whether it finds a whole cut graph of edges
+  bool moves_onto_edges; ///< whether its curves can be moved onto edges one by one
+  /// asks the method to cut the handles.
+  /// \param job the surface and the choices, and what is filled
   void cut_handles(Cut_job& job) const { m_cut(job); }
 
 private:
   std::function<void(Cut_job&)> m_cut;
 };
 
+/// \cond
 inline void check(const By_own_method&) {}
 inline void check(const Triangle_surface&, const By_own_method&) {}
+/// \endcond
 
 } // namespace meridian
 

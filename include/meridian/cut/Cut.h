@@ -43,7 +43,7 @@ template <> struct Names<Curve_kind>
 /// a curve of a cut graph.
 struct Named_curve
 {
-  Curve_kind kind;
+  Curve_kind kind;             ///< what it is
   std::vector<Index> vertices; ///< of the refined surface, along edges
   bool is_closed = false;      ///< whether an edge leads from the last vertex to the first
   Index saddle = -1;           ///< of a meridian: a vertex of the saddle that it belongs to
@@ -57,21 +57,28 @@ struct Cut : Field_summary
   Opened_surface opened;                ///< the disc
   std::vector<Named_curve> curves;      ///< that the cut graph is made of; of one kind, the most preferred first
   std::vector<Meridian_choice> choices; ///< the count after each meridian
-  int genus = 0, boundary_loops = 0;
-  bool links_in_plane = false;
-  std::string link_note;   ///< why links were not taken through the plane, if asked for
-  double length = 0;       ///< of the seams
-  double length_found = 0; ///< before the graph was tightened
-  double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
-  Stage_times seconds;
+  int genus = 0;                        ///< of the surface
+  int boundary_loops = 0;               ///< of the surface
+  bool links_in_plane = false;          ///< whether links run through an embedding in the plane
+  std::string link_note;                ///< why links were not taken through the plane, if asked for
+  double length = 0;                    ///< of the seams
+  double length_found = 0;              ///< before the graph was tightened
+  double smallest_angle_before = 0;     ///< of the surface, in radians
+  double smallest_angle_after = 0;      ///< of the refined surface, in radians
+  Stage_times seconds;                  ///< of each stage
 };
 
 /// \ingroup PkgMeridianCut
-/// \returns the curves of one kind, in order
+/// \param cut a cut
+/// \param kind of which kind
+/// \returns its curves of that kind, in order
 std::vector<Named_curve> curves_of(const Cut& cut, Curve_kind kind);
 
 /// \ingroup PkgMeridianCut
 /// appends curves of one kind; meridians and longitudes are closed.
+/// \param cut the cut that they are of
+/// \param kind of which kind
+/// \param lines the vertices of each, on the refined surface
 void add_curves(Cut& cut, Curve_kind kind, std::vector<std::vector<Index>> lines);
 
 } // namespace meridian

@@ -21,10 +21,10 @@ namespace meridian {
 /// asked only where there are handles.
 struct Cut_job
 {
-  const Triangle_surface& root;
-  const Cut_options& options; ///< those that do not depend on the method
-  const Stage_runner& run;    ///< each stage of the method's work is run by it
-  Cut& cut;
+  const Triangle_surface& root;        ///< the surface
+  const Cut_options& options;          ///< those that do not depend on the method
+  const Stage_runner& run;             ///< each stage of the method's work is run by it
+  Cut& cut;                            ///< what is filled
   std::vector<Link_guide> guides = {}; ///< ways for the links that follow, if the method has any
 };
 

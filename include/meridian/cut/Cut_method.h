@@ -30,14 +30,16 @@ using Cut_method = std::variant<By_contours, By_generators, By_flow_lines, By_di
                                 By_removing_faces, By_own_method>;
 
 /// \ingroup PkgMeridianCut
-/// \returns whether a method cuts edges alone: it has no field, no meridians and no links
+/// \param method the method
+/// \returns whether it cuts edges alone: it has no field, no meridians and no links
 inline bool cuts_edges(const Cut_method& method)
 {
   return std::visit([](const auto& m) { return m.cuts_edges; }, method);
 }
 
 /// \ingroup PkgMeridianCut
-/// \returns the weights that a method solves its field with; those of `Harmonic_field` where it has none
+/// \param method the method
+/// \returns the weights that it solves its field with; those of `Harmonic_field` where it has none
 Weights weights_of(const Cut_method& method);
 
 } // namespace meridian

@@ -54,26 +54,29 @@ template <> struct Names<Tightening>
 /// what one may choose about a cut. Vertices are those of the surface that is cut.
 struct Cut_options
 {
-  Cut_method method; ///< what cuts the handles
-  Tightening tightening = Tightening::CURVES;
-  Tighten_options tighten_options;
+  Cut_method method;                          ///< what cuts the handles
+  Tightening tightening = Tightening::CURVES; ///< what is made shorter
+  Tighten_options tighten_options;            ///< and when that ends
   /// whether only edges of the surface are cut, so that there are no new vertices: meridians of contours are moved onto
   /// edges; for other curves, and with `GRAPH`, a cut graph of edges close by is taken
   bool on_edges = false;
   bool refine_where_needed = false; ///< with `on_edges`: divide edges where meridians cannot be moved onto them
-  Link_domain link_domain = Link_domain::SURFACE;
-  Link_options links;
-  Solvers solvers;
-  Progress_observer* observer = nullptr;
+  Link_domain link_domain = Link_domain::SURFACE; ///< where links run
+  Link_options links;                             ///< how they join boundaries
+  Solvers solvers;                                ///< of the field
+  Progress_observer* observer = nullptr;          ///< told of the stages, or null
 };
 
 /// \ingroup PkgMeridianCut
 /// checks whether choices go together, whatever the surface.
+/// \param options the choices
 /// \throws Invalid_input_error if one of them would be ignored because of another
 void check(const Cut_options& options);
 
 /// \ingroup PkgMeridianCut
 /// checks choices together with the surface that shall be cut. `cut_to_disc()` does so first.
+/// \param s the surface
+/// \param options the choices
 /// \throws Invalid_input_error if they do not go together, if a vertex or value is not one of the surface, or if the
 ///   surface has no faces or several pieces
 /// \par Complexity

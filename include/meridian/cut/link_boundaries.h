@@ -16,7 +16,8 @@ namespace meridian {
 /// the root.
 struct Link_guide
 {
-  Index from, to;
+  Index from;               ///< a vertex of the refined surface
+  Index to;                 ///< another
   std::vector<Index> faces; /**< sorted */
 };
 

@@ -8,6 +8,7 @@ namespace meridian {
 
 /// \ingroup PkgMeridianCut
 /// takes the refined surface of a cut apart along its seams, and measures them.
+/// \param cut the cut, whose seams are flagged
 /// \par Complexity
 /// Linear.
 void open_cut(Cut& cut);

@@ -22,9 +22,9 @@ namespace meridian {
 /// what one may choose about an unwrapping.
 struct Unwrap_options
 {
-  Cut_options cut;
-  Map_options map;
-  int family = 1; ///< how many cuts are compared
+  Cut_options cut; ///< how it is cut
+  Map_options map; ///< how the disc is mapped
+  int family = 1;  ///< how many cuts are compared
   /// w, 0 to 1: the cut with the least (1 - w) length + w stretch is taken, the length divided by the root of the area;
   /// if it is not 0, links are varied too
   double stretch_weight = 0;
@@ -39,9 +39,10 @@ struct Unwrap_options
 /// a cut that was mapped, on the way to the one returned.
 struct Unwrap_step
 {
-  std::string name;
-  double length, stretch_l2; ///< of the seams, on the surface; of the map
-  Map_method method;
+  std::string name;        ///< what was tried
+  double length;           ///< of the seams, on the surface
+  double stretch_l2;       ///< of the map
+  Map_method method;       ///< that made the map
   Index flipped;           ///< faces turned over or without area; -1 if there was no map
   bool is_taken;           ///< whether it was better than those before
   std::string reason = {}; ///< why there was no map
@@ -51,7 +52,7 @@ struct Unwrap_step
 /// a surface, cut and mapped into the plane.
 struct Unwrapping
 {
-  Cut cut;
+  Cut cut;                             ///< the cut
   Triangle_surface disc;               ///< the cut surface, taken apart
   Parameterization map;                ///< of `disc`
   Square_border border;                ///< with `Unwrap_options::image_size`

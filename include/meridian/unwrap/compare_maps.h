@@ -91,6 +91,7 @@ double laplacian_residual(const Triangle_surface& root, const std::vector<double
  * \param at the image of each vertex of each disc. Least squares conformal maps (Levy et al. 2002) obey the equations
  *   of cotangent weights at all vertices but the boundary and those that are pinned
  *
+ * \returns how far they differ, and the bound
  * \throws Invalid_input_error if a disc is not one of this surface, or the surface or an image has no area
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and some hundred products of a matrix and a vector.

@@ -33,7 +33,9 @@ template <> struct Names<Map_weights>
 };
 
 /// \ingroup PkgMeridianParameterization
-/// \returns the weight of each halfedge of a surface, equal on twins
+/// \param s the surface
+/// \param kind which weights
+/// \returns the weight of each halfedge, equal on twins
 std::vector<double> map_weights(const Triangle_surface& s, Map_weights kind);
 
 /*!

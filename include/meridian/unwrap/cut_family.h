@@ -24,9 +24,9 @@ namespace meridian {
 /// a cut graph of a family.
 struct Family_member
 {
-  std::string name; ///< what makes it different: field, preference, levels or method
-  Cut_options options;
-  Cut cut;
+  std::string name;    ///< what makes it different: field, preference, levels or method
+  Cut_options options; ///< all that was chosen
+  Cut cut;             ///< its cut
 };
 
 /*!
@@ -63,6 +63,7 @@ public:
   class Iterator
   {
   public:
+    /// \cond
     using iterator_category = std::input_iterator_tag;
     using value_type = Family_member;
     using difference_type = std::ptrdiff_t;
@@ -81,6 +82,7 @@ public:
     void operator++(int) { ++*this; }
     bool operator==(const Iterator& i) const { return m_family == i.m_family; }
     bool operator!=(const Iterator& i) const { return !(*this == i); }
+    /// \endcond
 
   private:
     Cut_family* m_family = nullptr;
@@ -88,6 +90,7 @@ public:
   };
   /// \returns the member after the last one found
   Iterator begin() { return Iterator(this); }
+  /// \returns what an iterator becomes after the last member
   Iterator end() { return Iterator(); }
 
 private:
@@ -111,6 +114,7 @@ private:
 };
 
 /// \ingroup PkgMeridianFamily
+/// \param costs of each cut: length, new vertices, and the negative of the smallest angle
 /// \returns for each cut whether no other is at least as good in every respect and better in one: shorter, fewer new
 ///          vertices, a larger smallest angle. Of equal ones all are kept.
 std::vector<char> find_best_cuts(const std::vector<std::array<double, 3>>& costs);

@@ -24,8 +24,11 @@ struct Geometry_image
   /// of one unit, the same for the three axes: the longest side of the box over 65535
   double step = 0;
 
+  /// \param column, row of a pixel
+  /// \returns its place among the pixels
   std::size_t pixel(int column, int row) const { return static_cast<std::size_t>(row) * size + column; }
-  /// \returns the position of a pixel
+  /// \param pixel its place among the pixels
+  /// \returns its position
   Point point(std::size_t pixel) const;
 };
 
@@ -33,7 +36,7 @@ struct Geometry_image
 /// a surface made of a geometry image.
 struct Remeshed
 {
-  Triangle_surface surface;
+  Triangle_surface surface; ///< two faces a square of four pixels
   /// of each pixel; pixels that are one point of the surface have one vertex; -1 where faces were left out
   std::vector<Index> vertex_of;
   /// pairs of faces that lie upon each other, where the free end of a seam is at a corner of the square
@@ -64,6 +67,7 @@ std::vector<Point> sample_border(const Triangle_surface& disc, const Square_bord
  * \param at the image of each vertex, with the border on that of the square
  * \param border what `prepare_square_border()` returned
  *
+ * \returns the image
  * \throws Invalid_input_error if the image of the faces does not cover the square
  * \par Complexity
  * Linear in the faces and in the pixels of their bounding boxes.
