@@ -22,13 +22,13 @@ namespace meridian {
 /// what one may choose about generators. Vertices are those of the surface.
 struct Generator_options : Field_options, Meridian_options
 {
-  bool is_open = false;      ///< whether the field's boundary is free, so that level lines may end there
-  bool keep_complex = false; ///< whether the quasi Morse-Smale complex of the field is kept
-  bool flow = true;          ///< whether longitudes are sought among flow lines first
-  bool tighten = true;       ///< whether the curves are shortened within their classes
-  Tighten_options tightening;
-  Solvers solvers;
-  Progress_observer* observer = nullptr;
+  bool is_open = false;                  ///< whether the field's boundary is free, so that level lines may end there
+  bool keep_complex = false;             ///< whether the quasi Morse-Smale complex of the field is kept
+  bool flow = true;                      ///< whether longitudes are sought among flow lines first
+  bool tighten = true;                   ///< whether the curves are shortened within their classes
+  Tighten_options tightening;            ///< and when that ends
+  Solvers solvers;                       ///< of the fields
+  Progress_observer* observer = nullptr; ///< told of the stages, or null
 };
 
 /// \ingroup PkgMeridianGenerators
@@ -76,10 +76,10 @@ template <> struct Names<Loop_class>
 struct Generator_curve
 {
   std::vector<Index> vertices; ///< of the refined surface, the one shared by the pair first
-  double length = 0;
-  double length_found = 0; ///< before tightening
-  Index saddle = -1;       ///< the root vertex of the saddle it belongs to, or nearest to it; -1 if there is none
-  Curve_method method = Curve_method::ARC;
+  double length = 0;           ///< on the refined surface
+  double length_found = 0;     ///< before tightening
+  Index saddle = -1;           ///< the root vertex of the saddle it belongs to, or nearest to it; -1 if there is none
+  Curve_method method = Curve_method::ARC;     ///< how it was made
   bool was_flow = false;                       ///< whether it was made of flow lines before it was tightened
   std::map<Index, double> field;               ///< of flow lines: the field at root vertices around, linear along edges
   Loop_class loop_class = Loop_class::UNKNOWN; ///< written by `classify_generators()`
@@ -89,7 +89,8 @@ struct Generator_curve
 /// a meridian and a longitude of one handle.
 struct Generator_pair
 {
-  Generator_curve meridian, longitude;
+  Generator_curve meridian;  ///< a level line
+  Generator_curve longitude; ///< crosses it once, from right to left
 };
 
 /// \ingroup PkgMeridianGenerators
@@ -102,14 +103,17 @@ struct Generators : Field_summary
   int saddle_connections = 0;        ///< how many do
   /// the flow lines of the field, from saddle to critical point, if asked for
   std::vector<std::vector<Point>> complex_lines;
-  int genus = 0, boundary_loops = 0;
-  /// with a free boundary: the meridians' level lines that end on it, and those that do not
-  int arcs = 0, loops = 0;
-  double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
-  Stage_times seconds;
+  int genus = 0;                    ///< of the surface
+  int boundary_loops = 0;           ///< of the surface
+  int arcs = 0;                     ///< with a free boundary: the meridians' level lines that end on it
+  int loops = 0;                    ///< and those that do not
+  double smallest_angle_before = 0; ///< of the surface, in radians
+  double smallest_angle_after = 0;  ///< of the refined surface, in radians
+  Stage_times seconds;              ///< of each stage
 };
 
 /// \ingroup PkgMeridianGenerators
+/// \param generators the generators of a surface
 /// \returns the length of all meridians and longitudes together
 double total_length(const Generators& generators);
 

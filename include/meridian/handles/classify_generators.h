@@ -12,7 +12,8 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianGenerators
-/// \returns whether two faces of a surface meet elsewhere than in a common vertex or edge, or a face has no area
+/// \param s a surface
+/// \returns whether two of its faces meet elsewhere than in a common vertex or edge, or a face has no area
 /// \par Complexity
 /// \f$ O(n \log^3 n + k) \f$ for `k` pairs of faces whose boxes meet (CGAL's `does_self_intersect()`)
 bool does_self_intersect(const Triangle_surface& s);

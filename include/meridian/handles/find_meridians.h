@@ -16,10 +16,11 @@ namespace meridian {
 /// the loops of all saddles, and which of them are meridians.
 struct Meridian_search
 {
-  std::vector<Contour> loops;
+  std::vector<Contour> loops;             ///< of all saddles
   std::vector<Loop_candidate> candidates; ///< one a loop
   std::vector<Meridian_choice> choices;   ///< the most preferred first
 
+  /// \returns the loops that were chosen, the most preferred first
   std::vector<const Contour*> chosen() const;
 };
 
@@ -34,6 +35,13 @@ double average_along(const Triangle_surface& root, const Ordered_surface& m, con
 /// \ingroup PkgMeridianMeridians
 /// rates the loops of `search` and chooses as many meridians as the genus; moves those to the tightest level if that is
 /// wanted. A preference may weigh the vertices of `root`, or of it without the middles of `filled_holes`, its last.
+/// \param root the surface
+/// \param m the same, ordered
+/// \param genus how many meridians there are
+/// \param preference rates loops
+/// \param search its loops are read; the rest is filled
+/// \param levels where loops are taken
+/// \param filled_holes how many vertices of `root` fill a hole
 /// \throws Internal_error if there are not as many, Invalid_input_error if a preference has not one weight a vertex
 /// \par Complexity
 /// that of `select_meridians()`

@@ -19,10 +19,10 @@ struct Basis_options
 {
   /// how many faces far apart loops are sought from; 0: from 16 to 96, the fewer the more faces there are
   int bases = 0;
-  bool tighten = true;
-  Tighten_options tightening;
-  Solvers solvers;
-  Progress_observer* observer = nullptr;
+  bool tighten = true;                   ///< whether loops are shortened within their classes
+  Tighten_options tightening;            ///< and when that ends
+  Solvers solvers;                       ///< of the field whose generators are among the candidates
+  Progress_observer* observer = nullptr; ///< told of the stages, or null
 };
 
 /// \ingroup PkgMeridianGenerators
@@ -31,9 +31,11 @@ struct Homology_basis
 {
   Refined_surface surface;            ///< the input, refined; the curves are its seams
   std::vector<Generator_curve> loops; ///< twice the genus, the shortest first
-  int genus = 0, boundary_loops = 0;
-  double smallest_angle_before = 0, smallest_angle_after = 0; ///< in radians
-  Stage_times seconds;
+  int genus = 0;                      ///< of the surface
+  int boundary_loops = 0;             ///< of the surface
+  double smallest_angle_before = 0;   ///< of the surface, in radians
+  double smallest_angle_after = 0;    ///< of the refined surface, in radians
+  Stage_times seconds;                ///< of each stage
 };
 
 /*!

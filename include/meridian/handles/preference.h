@@ -45,21 +45,30 @@ inline double rate_saddle(double rate, const Loop_candidate& c)
 }
 } // namespace internal
 /// saddles of high curvature first, whatever its sign: seams there cost little distortion (the paper's choice)
+/// \param c the loop
+/// \returns its rate
 inline double gaussian_curvature(const Loop_candidate& c)
 {
   return internal::rate_saddle(std::abs(c.curvature.gaussian), c);
 }
 /// saddles of high mean curvature first, whatever its sign
+/// \param c the loop
+/// \returns its rate
 inline double mean_curvature(const Loop_candidate& c) { return internal::rate_saddle(std::abs(c.curvature.mean), c); }
 /// short loops first
+/// \param c the loop
+/// \returns its rate
 inline double short_length(const Loop_candidate& c) { return -c.length; }
-/// loops first that run where `weight` is low: one number a vertex of the root, such as `visibility()` or what marks a
-/// region to keep away from
+/// loops first that run where weights are low.
+/// \param weight one number a vertex of the root, such as `visibility()` or what marks a region to keep away from
+/// \returns the preference
 inline Preference low_weight(std::vector<double> weight)
 {
   return [weight = std::move(weight)](const Loop_candidate& c) { return -c.average(weight); };
 }
-/// loops whose saddles lie far out in direction `d` first
+/// loops first whose saddles lie far out in a direction.
+/// \param d the direction, of any length but 0
+/// \returns the preference
 inline Preference position(const Point& d)
 {
   return [d](const Loop_candidate& c) { return dot(c.position, d); };

@@ -20,6 +20,8 @@ struct Meridian_choice
 };
 
 /// \ingroup PkgMeridianMeridians
+/// \param candidates the loops
+/// \param rate rates one
 /// \returns the candidates' places, the most preferred first: by rate, then length, then place
 std::vector<std::size_t> rank_by_preference(const std::vector<Loop_candidate>& candidates, const Preference& rate);
 

@@ -59,7 +59,9 @@ template <> struct Names<Map_border>
 };
 
 /// \ingroup PkgMeridianParameterization
-/// \returns whether a method can leave the border free, or put it on a circle or square
+/// \param method the method
+/// \param border where the border shall go
+/// \returns whether the method can leave it free, or put it there
 constexpr bool takes(Map_method method, Map_border border)
 {
   const bool is_always_free = method == Map_method::LSCM || method == Map_method::ARAP;
@@ -67,7 +69,8 @@ constexpr bool takes(Map_method method, Map_border border)
 }
 
 /// \ingroup PkgMeridianParameterization
-/// \returns whether a method can put the border on a convex polygon that is given
+/// \param method the method
+/// \returns whether it can put the border on a convex polygon that is given
 constexpr bool takes_polygon(Map_method method)
 {
   return method == Map_method::SYMMETRIC_DIRICHLET || method == Map_method::POSITIVE || method == Map_method::STRETCH;

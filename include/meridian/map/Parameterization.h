@@ -17,9 +17,9 @@ namespace meridian {
 /// what one may choose about a map.
 struct Map_options
 {
-  Map_method method = Map_method::SYMMETRIC_DIRICHLET;
-  Map_border border = Map_border::FREE;
-  std::vector<Index> loop = {}; ///< the border as halfedges, counterclockwise, and
+  Map_method method = Map_method::SYMMETRIC_DIRICHLET; ///< the first that is tried
+  Map_border border = Map_border::FREE;                ///< where the border goes
+  std::vector<Index> loop = {};                        ///< the border as halfedges, counterclockwise, and
   /// where the source of each goes, on a convex polygon, in place of a square; or both empty
   std::vector<Plane_point> polygon = {};
   /// for `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
@@ -28,6 +28,7 @@ struct Map_options
 
 /// \ingroup PkgMeridianParameterization
 /// checks whether choices about a map go together.
+/// \param options the choices
 /// \throws Invalid_input_error if the method cannot put the border where it is asked to, or if loop and polygon do not
 ///   go together or would be ignored
 void check(const Map_options& options);
@@ -36,8 +37,8 @@ void check(const Map_options& options);
 /// a map that was tried.
 struct Map_attempt
 {
-  Map_method method;
-  Map_border border;
+  Map_method method;  ///< the method
+  Map_border border;  ///< where it put the border
   Index flipped;      ///< faces turned over or without area; -1 if there was no map
   std::string reason; ///< why there was none
 };
@@ -50,13 +51,13 @@ struct Parameterization
   /// put
   std::vector<Plane_point> at;
   Map_method method = Map_method::SYMMETRIC_DIRICHLET; ///< that was used
-  Map_border border = Map_border::FREE;
+  Map_border border = Map_border::FREE;                ///< where the border is
   /// the last is the one used, unless all had flipped faces; then that with the fewest
   std::vector<Map_attempt> attempts;
-  std::vector<Index> flipped; ///< the faces turned over or without area, exactly
-  bool is_one_to_one = false; ///< whether no face is flipped and the border does not meet itself, exactly
-  std::vector<Face_distortion> faces;
-  Distortion distortion;
+  std::vector<Index> flipped;         ///< the faces turned over or without area, exactly
+  bool is_one_to_one = false;         ///< whether no face is flipped and the border does not meet itself, exactly
+  std::vector<Face_distortion> faces; ///< how each face is distorted
+  Distortion distortion;              ///< of all together
 };
 
 } // namespace meridian

@@ -10,7 +10,9 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// \returns whether a map of a disc is one-to-one: no face is turned over or without area, and the border does not meet
+/// \param disc the surface
+/// \param at the image of each vertex
+/// \returns whether this map is one-to-one: no face is turned over or without area, and the border does not meet
 ///          itself. Decided exactly.
 bool is_one_to_one(const Triangle_surface& disc, const std::vector<Plane_point>& at);
 

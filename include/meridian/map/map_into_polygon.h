@@ -11,12 +11,15 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// \returns for each halfedge of a boundary loop where along the loop it begins, from 0 to 1: half by length and half
+/// \param s the surface
+/// \param loop a boundary loop, as halfedges
+/// \returns for each halfedge where along the loop it begins, from 0 to 1: half by length and half
 ///          by number, so that edges without length have a place too
 std::vector<double> places_along(const Triangle_surface& s, const std::vector<Index>& loop);
 
 /// \ingroup PkgMeridianParameterization
-/// \returns points on the unit circle at the given places
+/// \param places along the circle, from 0 to 1
+/// \returns the points of the unit circle there
 std::vector<Plane_point> place_on_circle(const std::vector<double>& places);
 
 /*!

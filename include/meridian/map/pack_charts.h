@@ -13,9 +13,9 @@ namespace meridian {
 /// a map of one component, to be packed with others.
 struct Chart
 {
-  const std::vector<std::array<Index, 3>>* triangles;
-  std::vector<Plane_point> at; ///< the image of each vertex
-  double area;                 ///< of the component, in one unit for all charts
+  const std::vector<std::array<Index, 3>>* triangles; ///< its faces, which are the caller's
+  std::vector<Plane_point> at;                        ///< the image of each vertex
+  double area;                                        ///< of the component, in one unit for all charts
 };
 
 /*!

@@ -10,7 +10,8 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// \returns the sign of the area of a triangle: exact
+/// \param a, b, c the corners of a triangle
+/// \returns the sign of its area: exact
 int orientation_of(const Plane_point& a, const Plane_point& b, const Plane_point& c);
 
 /// \ingroup PkgMeridianParameterization
@@ -22,15 +23,20 @@ std::vector<Index> find_flipped_faces(const std::vector<std::array<Index, 3>>& t
                                       const std::vector<Plane_point>& at);
 
 /// \ingroup PkgMeridianParameterization
+/// \param triangles the vertices of each face
+/// \param at the image of each vertex
 /// \returns the area of the image
 double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at);
 
 /// \ingroup PkgMeridianParameterization
-/// \returns whether a polygon does not meet itself: exact
+/// \param loop the vertices of a polygon, in order
+/// \param at the image of each vertex
+/// \returns whether it does not meet itself: exact
 bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at);
 
 /// \ingroup PkgMeridianParameterization
-/// \returns the direction of the longer side of the rectangle of least area around some points, of length 1
+/// \param points some points
+/// \returns the direction of the longer side of the rectangle of least area around them, of length 1
 ///          (CGAL's rotating calipers; Toussaint 1983)
 /// \par Complexity
 /// \f$ O(n \log n) \f$
