@@ -32,24 +32,30 @@ public:
   /// a crossing to be made: in gap `place` of its edge. Several in one gap are ordered by `t`.
   struct Step
   {
-    Index halfedge, place;
-    double t;
+    Index halfedge; ///< by which the curve leaves a face
+    Index place;    ///< the gap of its edge
+    double t;       ///< the fraction along the edge
   };
   /// a stretch of an edge between two crossings, or between a crossing and an end. Place `k` has `k` crossings before
   /// it.
   struct Gap
   {
-    Index edge, place;
+    Index edge;  ///< the edge
+    Index place; ///< how many crossings come before it
+    /// \param g another \returns whether it comes after this one
     bool operator<(const Gap& g) const { return edge != g.edge ? edge < g.edge : place < g.place; }
+    /// \param g another \returns whether it is the same
     bool operator==(const Gap& g) const { return edge == g.edge && place == g.place; }
   };
   /// what is done while a trial lives is taken back at its end, unless it is kept. Trials may be nested.
   struct Trial : internal::Crossing_store::Trial
   {
+    /// \param curves what is tried with
     explicit Trial(Normal_curves& curves) : internal::Crossing_store::Trial(curves.m_store) {}
   };
 
-  /// The surface must outlive the curves.
+  /// \param surface the surface, which must outlive the curves
+  /// \param curves how many closed curves there may be; none is there yet
   Normal_curves(const Triangle_surface& surface, Index curves)
     : m_store(surface, curves), m_meeting((curves + 1) / 2, -1)
   {}
@@ -57,53 +63,79 @@ public:
 
   /// \name Curves and their crossings, in order
   /// @{
+
+  /// \returns the surface
   const Triangle_surface& surface() const { return m_store.surface(); }
+  /// \returns how many numbers of curves there are
   Index number_of_curves() const { return m_store.number_of_curves(); }
+  /// \param curve a closed curve \returns its partner
   static Index partner(Index curve) { return curve ^ 1; }
+  /// \param curve a number \returns whether there is such a curve
   bool is_present(Index curve) const { return m_store.is_present(curve); }
+  /// \param curve a curve \returns whether it is open
   bool is_open(Index curve) const { return m_store.is_open(curve); }
+  /// \param x a crossing \returns what it is
   const Crossing& operator[](Id x) const { return m_store[x]; }
+  /// \param x a crossing \returns its edge
   Index edge(Id x) const { return m_store.edge(x); }
-  /// \returns the crossings of an edge, from the source of `edge` to its target
+  /// \param edge an edge \returns its crossings, from the source of `edge` to its target
   const std::vector<Id>& on(Index edge) const { return m_store.on(edge); }
+  /// \param curve a curve \returns its crossings, in order
   std::vector<Id> crossings(Index curve) const { return m_store.crossings(curve); }
   /// @}
 
   /// \name Ends of open curves
   /// @{
+
+  /// \param e an end \returns its vertex
   Index vertex(const End& e) const { return m_store.vertex(e); }
-  /// \returns the curves' ends at a vertex, in no order that means anything
+  /// \param v a vertex \returns the curves' ends there, in no order that means anything
   const std::vector<End>& ends_at(Index v) const { return m_store.ends_at(v); }
+  /// \returns whether any curve is open
   bool has_open_curves() const { return m_store.has_open_curves(); }
-  /// \returns the crossing nearest to an end of an open curve, or -1 if it runs along an edge
+  /// \param e an end of an open curve \returns the crossing nearest to it, or -1 if it runs along an edge
   Id nearest(const End& e) const { return m_store.nearest(e); }
-  /// \returns the curve that runs along an edge from end to end without a crossing, or -1
+  /// \param edge an edge \returns the curve that runs along it from end to end without a crossing, or -1
   Index along(Index edge) const { return m_store.along(edge); }
-  /// \returns the edge that an open curve without crossings runs along
+  /// \param curve a curve \returns the edge that an open curve without crossings runs along
   Index edge_along(Index curve) const { return m_store.edge_along(curve); }
-  /// \returns whether nothing crosses an edge and nothing runs along it
+  /// \param edge an edge \returns whether nothing crosses it and nothing runs along it
   bool is_free(Index edge) const { return m_store.is_free(edge); }
   /// @}
 
+  /// \returns how many pairs of partners there may be
   Index number_of_pairs() const { return static_cast<Index>(m_meeting.size()); }
-  /// \returns a face where a curve crosses its partner, or -1
+  /// \param curve a curve \returns a face where it crosses its partner, or -1
   Index meeting(Index curve) const { return curve / 2 < number_of_pairs() ? m_meeting[curve / 2] : -1; }
+  /// says where partners cross. \param curve one of them \param face the face, or -1
   void set_meeting(Index curve, Index face) { m_meeting[curve / 2] = face; }
 
-  /// adds a closed curve, which must not be there yet.
+  /// adds a closed curve, which must not be there yet. \param curve its number \param steps its crossings, in order
   void add(Index curve, const std::vector<Step>& steps);
   /// adds an open curve. Without steps it runs along the edge that joins its ends, which nothing may cross.
+  /// \param from, to its ends, vertices \param steps its crossings, in order
   /// \returns the curve
   Index add(Index from, Index to, const std::vector<Step>& steps);
+  /// takes a curve away. \param curve its number
   void remove(Index curve);
 
   /// \name Changes of course, as `Crossing_store` describes them
   /// @{
+
+  /// \param x a crossing \param t its new fraction along its edge
   void move(Id x, double t) { m_store.move(x, t); }
+  /// \param first, last crossings of one curve \param halfedges what is crossed between them instead
+  /// \param at_target whether next to the targets of these, or to their sources
   void reroute(Id first, Id last, const std::vector<Index>& halfedges, bool at_target);
+  /// \param end an end \param to where it goes \param halfedges what the curve crosses from there, to what is left of it
+  /// \param around the vertex that these crossings are near to
   void extend(const End& end, Index to, const std::vector<Index>& halfedges, Index around);
+  /// \param end an end, whose crossings that only lead round its vertex are left out
   void trim(const End& end) { m_store.trim(end); }
+  /// \param from, to ends of two curves, which become one \param halfedges what is crossed between them
+  /// \returns the curve
   Index splice(const End& from, const End& to, const std::vector<Index>& halfedges);
+  /// \param x a crossing \param v the vertex that its curve is divided at \returns the two curves
   std::array<Index, 2> split(Id x, Index v) { return m_store.split(x, v); }
   /// @}
 

@@ -13,43 +13,55 @@ namespace meridian {
 
 // Curves as chords of faces: which of them cross, and what regions they divide a face into. All is read from orders.
 
+/// \param curves, x a crossing
+/// \param left on which side of the curve
 /// \returns the gap beside a crossing, to the left or to the right of the curve
 Normal_curves::Gap gap_beside(const Normal_curves& curves, Index x, bool left);
 
+/// \param curves, gap a gap between crossings
 /// \returns a point in a gap, as a fraction along its edge
 double middle_of(const Normal_curves& curves, const Normal_curves::Gap& gap);
 
+/// \param curves, x a crossing
 /// \returns the face in which a curve runs from `x` to the crossing after it
 inline Index face_after(const Normal_curves& curves, Index x)
 {
   return curves.surface().face(curves.surface().opposite[curves[x].halfedge]);
 }
 
+/// \param curves, x, face an end of a chord
 /// \returns the other end of the chord of `face` that has an end at `x`; -1 if that is the corner on the other side
 inline Index chord_across(const Normal_curves& curves, Index x, Index face)
 {
   return curves.surface().face(curves[x].halfedge) == face ? curves[x].prev : curves[x].next;
 }
 
+/// \param curves, x, face an end of a chord
 /// \returns the end at which a chord of the partner enters `face` and crosses the chord that ends at `x`, or -1
 Index partner_across(const Normal_curves& curves, Index x, Index face);
 
+/// \param curves, curve, face a curve and a face
 /// \returns how often a curve crosses its partner in one face
 Index count_in_face(const Normal_curves& curves, Index curve, Index face);
 
+/// \param curves all curves
 /// \returns for each pair how often its curves cross each other
 /// \throws Internal_error if other chords cross, or a chord has both ends on one edge
 std::vector<Index> count_crossings(const Normal_curves& curves);
 
+/// \param curves, curve a curve
 /// \returns whether a curve is simple and crosses its partner once, and nothing else
 bool crosses_partner_once(const Normal_curves& curves, Index curve);
 
+/// \param curves, curve a curve
 /// \returns whether a curve is simple and crosses no other
 bool is_disjoint(const Normal_curves& curves, Index curve);
 
+/// \param curves, curve a curve
 /// \returns the length of a curve
 double length(const Normal_curves& curves, Index curve);
 
+/// \param curves, curve a curve
 /// \returns whether a curve that crosses its partner once crosses it from right to left
 bool runs_from_right(const Normal_curves& curves, Index curve);
 
@@ -68,6 +80,8 @@ Index count_before_corner(const Normal_curves& curves, Index h, Index face);
 
 /// calls `visit(gap, x)` for the gaps of the region of `face` that `gap` lies on, counterclockwise: the chord that ends
 /// at `x` comes after the gap, or a corner if that is -1. The region is to the left of the way from `x` into the face.
+/// \param curves, gap, face a gap on a side of a face
+/// \param visit the function
 template <class Visit>
 void for_each_gap_around(const Normal_curves& curves, const Normal_curves::Gap& gap, Index face, Visit visit)
 {

@@ -25,14 +25,20 @@ struct Contour
 };
 
 /// \ingroup PkgMeridianContours
-/// \returns whether halfedge `h` runs from below `level` to above it
+/// \param m the ordered surface
+/// \param h a halfedge
+/// \param level between the nodes of rank `level` and `level + 1`
+/// \returns whether `h` runs from below the level to above it
 inline bool rises_through(const Ordered_surface& m, Index h, Index level)
 {
   return m.rank[m.surface.source(h)] <= level && m.rank[m.surface.target(h)] > level;
 }
 
 /// \ingroup PkgMeridianContours
-/// \returns the contour at `level` through halfedge `start`
+/// \param m the ordered surface
+/// \param start a halfedge
+/// \param level the level
+/// \returns the contour at that level through `start`
 /// \pre `rises_through(m, start, level)`
 /// \par Complexity
 /// Linear in the number of edges crossed. Every step is decided by comparing ranks, so the contour is closed and
@@ -40,18 +46,25 @@ inline bool rises_through(const Ordered_surface& m, Index h, Index level)
 Contour trace_contour(const Ordered_surface& m, Index start, Index level);
 
 /// \ingroup PkgMeridianContours
-/// \returns all contours at `level`, each once
+/// \param m the ordered surface
+/// \param level the level
+/// \returns all contours at that level, each once
 /// \par Complexity
 /// Linear in the size of the surface.
 std::vector<Contour> trace_level(const Ordered_surface& m, Index level);
 
 /// \ingroup PkgMeridianContours
-/// \returns where a contour crosses halfedge `h`, as a fraction from its source, by linear interpolation of the field
+/// \param m the ordered surface
+/// \param h a halfedge
+/// \param level a level that it rises through
+/// \returns where the contour crosses it, as a fraction from its source: by `m.placement`, or linear interpolation of the field
 ///          in the finest scale that the edge has; 1/2 where the order goes against the field
 double crossing_fraction(const Ordered_surface& m, Index h, Index level);
 
 /// \ingroup PkgMeridianContours
-/// \returns the length of a contour
+/// \param m the ordered surface
+/// \param c a contour of it
+/// \returns its length
 double length(const Ordered_surface& m, const Contour& c);
 
 /*!

@@ -20,11 +20,11 @@ namespace meridian {
 /// a line of steepest descent or ascent, as far as no earlier line runs.
 struct Flow_line
 {
-  Index start = -1; ///< the vertex it begins at: a saddle, or on a boundary loop that a line ended at before
-  bool descends = true;
-  Surface_curve curve; ///< on the surface that was ordered; a point inside an edge has the edge for a node
-  Index joined = -1;   ///< the earlier line that it ends on, or -1 if it ends at a vertex of its own
-  Index end = -1;      ///< a vertex of the critical node or boundary loop that it, or the line it joins, comes to
+  Index start = -1;     ///< the vertex it begins at: a saddle, or on a boundary loop that a line ended at before
+  bool descends = true; ///< or ascends
+  Surface_curve curve;  ///< on the surface that was ordered; a point inside an edge has the edge for a node
+  Index joined = -1;    ///< the earlier line that it ends on, or -1 if it ends at a vertex of its own
+  Index end = -1;       ///< a vertex of the critical node or boundary loop that it, or the line it joins, comes to
 };
 
 /*!
@@ -48,9 +48,11 @@ public:
   Flow_tracer(const Ordered_surface& m, bool descend, const std::vector<Critical_point>& critical);
   Flow_tracer(Ordered_surface&& m, bool descend, const std::vector<Critical_point>& critical) = delete;
 
-  /// traces the two lines of a saddle
+  /// traces the two lines of a saddle.
+  /// \param saddle its vertex
   void trace(Index saddle);
 
+  /// \returns all lines that were traced
   const std::vector<Flow_line>& lines() const { return m_lines; }
 
 private:

@@ -17,9 +17,10 @@ namespace meridian {
 /// a flow line from a saddle to the critical point that it comes to, as an edge of a complex.
 struct Complex_edge
 {
-  Index from, to; ///< critical points, as indices into `Morse_complex::critical`
-  Index line;     ///< an index into `Morse_complex::lines`
-  double length;
+  Index from;    ///< the saddle, as an index into `Morse_complex::critical`
+  Index to;      ///< where it comes to, as another
+  Index line;    ///< an index into `Morse_complex::lines`
+  double length; ///< as far as `to`
 };
 
 /// \ingroup PkgMeridianFlow
@@ -28,13 +29,16 @@ struct Morse_complex
 {
   std::vector<Flow_line> lines;         ///< descending ones first
   std::vector<Critical_point> critical; ///< the vertices of the graph
-  std::vector<Complex_edge> edges;
+  std::vector<Complex_edge> edges;      ///< the edges of the graph
   /// edges of the graph from saddle to saddle, as indices into `critical`
   std::vector<std::pair<Index, Index>> connections;
-  bool is_morse_smale() const { return connections.empty(); } ///< whether no line of a saddle comes to a saddle
+  /// \returns whether no line of a saddle comes to a saddle
+  bool is_morse_smale() const { return connections.empty(); }
 };
 
 /// \ingroup PkgMeridianFlow
+/// \param lines the lines of a tracer
+/// \param i which of them
 /// \returns the points of a flow line as far as its critical point: its own, and what it joins
 std::vector<Curve_point> whole_line(const std::vector<Flow_line>& lines, Index i);
 

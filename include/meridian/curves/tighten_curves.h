@@ -14,7 +14,8 @@ struct Tighten_options
 {
   /// a round or pass that shortens by less than this part of the length is the last
   double least_gain = 1e-4;
-  int rounds = 20, passes = 200; ///< at most: through all curves; moves of one curve in one round
+  int rounds = 20;  ///< through all curves, at most
+  int passes = 200; ///< moves of one curve in one round, at most
 };
 
 namespace internal {

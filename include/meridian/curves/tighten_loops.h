@@ -18,7 +18,8 @@ struct Tightened_loops
 {
   Refined_surface surface;                  ///< the input, refined; the loops are its seams
   std::vector<std::vector<Index>> vertices; ///< of each loop, on it; in the order given
-  double length_before = 0, length = 0;     ///< of all together
+  double length_before = 0;                 ///< of all together, as they were given
+  double length = 0;                        ///< of all together, tightened
 };
 
 /*!

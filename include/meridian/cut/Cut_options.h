@@ -19,7 +19,7 @@ namespace meridian {
 enum class Link_domain
 {
   SURFACE, ///< shortest paths on the surface
-  PLANE    ///< counterimages of segments in a planar embedding, where one exists in double precision
+  PLANE    ///< preimages of segments in a planar embedding, where one exists in double precision
 };
 
 /// the names of `Link_domain`.

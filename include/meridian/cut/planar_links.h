@@ -15,7 +15,7 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianLinks
  *
- * joins all boundaries of a slit genus-0 surface by counterimages of segments in a planar embedding (Patane, Spagnuolo,
+ * joins all boundaries of a slit genus-0 surface by preimages of segments in a planar embedding (Patane, Spagnuolo,
  * Falcidieno 2007).
  *
  * The boundaries' images are the constraints of a constrained Delaunay triangulation (CGAL). Its edges between

@@ -36,24 +36,27 @@ template <> struct Names<Extrema>
 /// the field that is harmonic between minima and maxima, where it is 0 and 1.
 struct Harmonic_field
 {
+  /// its name in reports and options
   static constexpr Choice_name names{"harmonic", "between two extrema"};
-  Weights weights = Weights::POSITIVE;
-  Extrema extrema = Extrema::DISTANT;
+  Weights weights = Weights::POSITIVE; ///< how the Laplacian is discretized
+  Extrema extrema = Extrema::DISTANT;  ///< where it is 0 and 1, if no minima and maxima are chosen
 };
 
 /// \ingroup PkgMeridianOrder
 /// an eigenfunction of the Laplacian.
 struct Eigenfunction_field
 {
+  /// its name in reports and options
   static constexpr Choice_name names{"eigenfunction", "of the Laplacian"};
-  int number = 0; ///< which one, from 1; 0: the genus + 1, as the paper takes
-  Weights weights = Weights::POSITIVE;
+  int number = 0;                      ///< which one, from 1; 0: the genus + 1, as the paper takes
+  Weights weights = Weights::POSITIVE; ///< how the Laplacian is discretized
 };
 
 /// \ingroup PkgMeridianOrder
 /// the geodesic distance from a vertex.
 struct Distance_field
 {
+  /// its name in reports and options
   static constexpr Choice_name names{"distance", "the geodesic distance from a vertex"};
   Index source = -1; ///< -1: a vertex far out
 };
@@ -62,7 +65,7 @@ struct Distance_field
 /// a field that is given, one value a vertex. A boundary loop takes the mean of its vertices.
 struct Given_field
 {
-  std::vector<double> values;
+  std::vector<double> values; ///< one a vertex, finite
   std::string name = "given"; ///< for reports
 };
 
@@ -75,27 +78,32 @@ using Field = std::variant<Harmonic_field, Eigenfunction_field, Distance_field, 
 /// own extrema another field keeps. Both empty: those of the field.
 struct Chosen_extrema
 {
-  std::vector<Index> minima = {}, maxima = {};
+  std::vector<Index> minima = {}; ///< the minima
+  std::vector<Index> maxima = {}; ///< the maxima
 };
 
 /// \ingroup PkgMeridianOrder
 /// what one may choose about a field. Vertices are those of the surface.
 struct Field_options : Chosen_extrema
 {
-  Field field;
+  Field field; ///< which field
 };
 
 /// \ingroup PkgMeridianOrder
-/// \returns the weights that a field is solved for with; those of `Harmonic_field` where it is solved for without
+/// \param field a field
+/// \returns the weights that it is solved for with; those of `Harmonic_field` where it is solved for without
 Weights weights_of(const Field& field);
 
 /// \ingroup PkgMeridianOrder
 /// checks what was chosen about a field, whatever the surface is.
+/// \param options the choices
 /// \throws Invalid_input_error if one choice would be ignored because of another, or weights do not suit the field
 void check(const Field_options& options);
 
 /// \ingroup PkgMeridianOrder
 /// checks what was chosen about a field of a surface.
+/// \param s the surface
+/// \param options the choices
 /// \throws Invalid_input_error if choices do not go together, if there is no such vertex, if minima or maxima alone are
 ///   given, or if values are not one finite number a vertex
 void check(const Triangle_surface& s, const Field_options& options);
@@ -104,12 +112,13 @@ void check(const Triangle_surface& s, const Field_options& options);
 /// what a field was, for whoever made something of it.
 struct Field_summary
 {
-  std::string field_kind = "none";
+  std::string field_kind = "none";      ///< what it is called
   std::vector<double> field;            ///< at the vertices of the surface; empty where no field was needed
   std::vector<Critical_point> critical; ///< of the closed model, as vertices of the surface or -1
-  Critical_counts counts;
-  int order_rounds = 0, flat_regions = 0;
-  bool order_numbered = false;
+  Critical_counts counts;               ///< of these
+  int order_rounds = 0;                 ///< sweeps that simplified the order
+  int flat_regions = 0;        ///< regions with values of their own, where those of the field are all but equal
+  bool order_numbered = false; ///< whether an st-numbering replaced it, since sweeps did not end
 };
 
 } // namespace meridian

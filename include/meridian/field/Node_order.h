@@ -21,6 +21,8 @@ struct Node_order
 };
 
 /// \ingroup PkgMeridianOrder
+/// \param g the closed model
+/// \param field a function on its nodes
 /// \returns the nodes ranked by (value, index), values being compared in the scale of their region
 /// \par Complexity
 /// \f$ O(n \log n) \f$ (simulation of simplicity: Edelsbrunner, Muecke 1990)

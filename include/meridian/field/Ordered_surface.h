@@ -23,20 +23,21 @@ namespace meridian {
 /// a multiple saddle. Curves are carried back by `project_contours()`, so that nothing of this reaches the result.
 struct Ordered_surface
 {
-  /// where a level line crosses an edge, as a fraction of the way from its lower end to its higher one, given the values
-  /// of the field at these and at the level; empty: linear
-  std::function<double(double low, double high, double level)> placement;
-  Refined_surface surface;
-  Closed_model graph;
+  Refined_surface surface;              ///< the surface, refined
+  Closed_model graph;                   ///< of `surface`
   Scalar_field field;                   ///< on the nodes of `graph`
   std::string field_name;               ///< for reports
   Node_order order;                     ///< of the nodes of `graph`
   std::vector<Index> rank;              ///< of the node of each vertex
   std::vector<Critical_point> critical; ///< of the order, before unfolding
+  /// where a level line crosses an edge, as a fraction of the way from its lower end to its higher one, given the values
+  /// of the field at these and at the level; empty: linear
+  std::function<double(double low, double high, double level)> placement;
 };
 
 /// \ingroup PkgMeridianOrder
-/// \returns `root` with every interior edge divided that joins a boundary loop to itself
+/// \param root a surface
+/// \returns it with every interior edge divided that joins a boundary loop to itself
 Refined_surface divide_chords(const Triangle_surface& root);
 
 /*!

@@ -16,25 +16,30 @@ namespace meridian {
 /// field are still told apart.
 struct Scalar_field
 {
+  /// a scale: `x` in it means `offset + scale * x` in that of its parent.
   struct Region
   {
-    Index parent = -1;
-    double offset = 0, scale = 1;
+    Index parent = -1; ///< the region around it; -1 of the whole surface
+    double offset = 0; ///< added
+    double scale = 1;  ///< multiplied with
   };
 
-  std::vector<double> value;
-  std::vector<Index> region; ///< of each node; empty while there is only one
-  std::vector<Region> regions = std::vector<Region>(1);
+  std::vector<double> value;                            ///< of each node, in the scale of its region
+  std::vector<Index> region;                            ///< of each node; empty while there is only one
+  std::vector<Region> regions = std::vector<Region>(1); ///< parents before what they hold
 
+  /// \param nodes how many; the field is 0
   explicit Scalar_field(Index nodes = 0) : value(nodes, 0) {}
 
+  /// \param a a node \returns its region
   Index region_of(Index a) const { return region.empty() ? 0 : region[a]; }
 
-  /// \returns a value of region `from` in the scale of region `to`
+  /// \param x a value \param from, to regions
+  /// \returns the value of region `from` in the scale of region `to`
   double convert(double x, Index from, Index to) const;
-  /// \returns the value at node `a` in the scale of region `r`
+  /// \param r a region \param a a node \returns its value in the scale of the region
   double value_in(Index r, Index a) const { return convert(value[a], region_of(a), r); }
-  /// \returns the value at node `a` as the caller prescribed it
+  /// \param a a node \returns its value as the caller prescribed it
   double operator()(Index a) const { return regions[0].offset + regions[0].scale * value_in(0, a); }
 };
 

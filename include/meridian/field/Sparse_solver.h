@@ -18,9 +18,14 @@ public:
   class Entry
   {
   public:
+    /// \param row, column its place
+    /// \param value the value
     Entry(Index row, Index column, double value) : m_row(row), m_column(column), m_value(value) {}
+    /// \returns its row
     Index row() const { return m_row; }
-    Index col() const { return m_column; } ///< the name that Eigen asks for
+    /// \returns its column, by the name that Eigen asks for
+    Index col() const { return m_column; }
+    /// \returns the value
     double value() const { return m_value; }
 
   private:
@@ -28,10 +33,15 @@ public:
     double m_value;
   };
 
+  /// \param rows how many, and as many columns
   explicit Sparse_matrix(Index rows) : m_rows(rows) {}
 
+  /// \returns how many rows there are
   Index rows() const { return m_rows; }
+  /// adds a value at a place.
+  /// \param row, column the place \param value the value
   void add(Index row, Index column, double value) { m_entries.emplace_back(row, column, value); }
+  /// \returns what was added, in this order
   const std::vector<Entry>& entries() const { return m_entries; }
 
 private:
@@ -45,7 +55,9 @@ class Sparse_solver
 {
 public:
   virtual ~Sparse_solver() = default;
-  /// factorizes `a`. \returns `false` if that is not possible
+  /// factorizes a matrix.
+  /// \param a the matrix
+  /// \returns `false` if that is not possible
   virtual bool factor(const Sparse_matrix& a) = 0;
   /// solves with the matrix that was factorized.
   /// \param right one value a row
@@ -73,8 +85,8 @@ std::unique_ptr<Sparse_solver> make_general_solver();
 /// the solvers that a computation uses. `adapt_solver()` makes them of CGAL's models.
 struct Solvers
 {
-  Make_solver symmetric = make_symmetric_solver;
-  Make_solver general = make_general_solver;
+  Make_solver symmetric = make_symmetric_solver; ///< for symmetric positive definite systems
+  Make_solver general = make_general_solver;     ///< for others
 };
 
 } // namespace meridian

@@ -13,18 +13,18 @@ namespace meridian {
 /// what an order does at a node.
 enum class Critical_kind
 {
-  MINIMUM,
-  SADDLE,
-  MAXIMUM
+  MINIMUM, ///< all around is higher
+  SADDLE,  ///< the walk around passes more than twice between lower and higher
+  MAXIMUM  ///< all around is lower
 };
 
 /// \ingroup PkgMeridianOrder
 /// a critical node of an order.
 struct Critical_point
 {
-  Index vertex; ///< the vertex; the first one of a boundary loop
-  Critical_kind kind;
-  int multiplicity; ///< of a saddle: `m` where `m + 1` valleys meet; 1 for extrema
+  Index vertex;       ///< the vertex; the first one of a boundary loop
+  Critical_kind kind; ///< what it is
+  int multiplicity;   ///< of a saddle: `m` where `m + 1` valleys meet; 1 for extrema
 };
 
 /*!
@@ -48,10 +48,14 @@ std::vector<Critical_point> find_critical_points(const Triangle_surface& s, cons
 /// how many critical points there are; saddles by multiplicity.
 struct Critical_counts
 {
-  int minima = 0, maxima = 0, saddles = 0;
+  int minima = 0;  ///< of them
+  int maxima = 0;  ///< of them
+  int saddles = 0; ///< with their multiplicities
 };
 
 /// \ingroup PkgMeridianOrder
+/// \param points critical points
+/// \returns how many of each kind they are
 Critical_counts count(const std::vector<Critical_point>& points);
 
 } // namespace meridian

@@ -44,6 +44,8 @@ template <> struct Names<Weights>
  * bounded relative to the size of the surface. Positive weights stay positive.
  * Both sides of a boundary edge lie in one node of the closed model, so that boundary edges have weight 0.
  *
+ * \param s the surface
+ * \param kind which weights
  * \pre `kind` is not `Weights::INTRINSIC_DELAUNAY`
  * \par Complexity
  * Linear.

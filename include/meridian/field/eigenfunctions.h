@@ -55,6 +55,7 @@ Eigenfunctions find_eigenfunctions(const Closed_model& g, const std::vector<doub
                                    Make_solver make_solver = make_symmetric_solver);
 
 /// \ingroup PkgMeridianOrder
+/// \param e eigenfunctions \param i which of them
 /// \returns \f$ \sqrt{\lambda_i} x_i \f$ on the nodes: functions of a high frequency count for more
 std::vector<double> scaled_eigenfunction(const Eigenfunctions& e, int i);
 

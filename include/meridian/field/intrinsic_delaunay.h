@@ -16,17 +16,21 @@ namespace meridian {
 /// surface at first, but not after flips; two may join the same vertices, and a vertex may be joined to itself.
 struct Intrinsic_triangulation
 {
-  std::vector<Index> next, opposite, source; ///< of each halfedge; `opposite` is -1 on the boundary
-  std::vector<double> length;                ///< of each halfedge, the same for twins
+  std::vector<Index> next;     ///< of each halfedge
+  std::vector<Index> opposite; ///< of each halfedge; -1 on the boundary
+  std::vector<Index> source;   ///< of each halfedge
+  std::vector<double> length;  ///< of each halfedge, the same for twins
 
+  /// \returns how many halfedges there are
   Index number_of_halfedges() const { return static_cast<Index>(next.size()); }
+  /// \param h a halfedge \returns the vertex that it leads to
   Index target(Index h) const { return source[next[h]]; }
 
-  /// \returns the area of the face of `h`, by Heron's formula as Kahan 2014 arranged it
+  /// \param h a halfedge \returns the area of its face, by Heron's formula as Kahan 2014 arranged it
   double area(Index h) const;
-  /// \returns where the third corner of the face of `h` lies, `h` on the x axis from the origin, the face above
+  /// \param h a halfedge \returns where the third corner of its face lies, `h` on the x axis from the origin, the face above
   std::array<double, 2> corner(Index h) const;
-  /// \returns the cotangent of the angle across from `h` in its face
+  /// \param h a halfedge \returns the cotangent of the angle across from it in its face
   double cotangent(Index h) const;
 };
 
@@ -40,6 +44,8 @@ struct Intrinsic_triangulation
  * together longer than the third by as much (Sharp, Crane 2020), so that every face has an area. Edges of the boundary
  * stay.
  *
+ * \param s the surface
+ * \returns its triangulation
  * \par Complexity
  * Linear in the flips, which are about as many as edges in practice; beyond 100 an edge, no more are made.
  */
@@ -69,7 +75,8 @@ struct Weighted_graph
 Weighted_graph make_weighted_graph(const Triangle_surface& s, const Intrinsic_triangulation& t);
 
 /// \ingroup PkgMeridianOrder
-/// \returns the closed model of `s` joined by its intrinsic Delaunay triangulation. See `make_intrinsic_delaunay()` and
+/// \param s the surface
+/// \returns its closed model joined by its intrinsic Delaunay triangulation. See `make_intrinsic_delaunay()` and
 ///          `make_weighted_graph()`.
 inline Weighted_graph make_intrinsic_delaunay_graph(const Triangle_surface& s)
 {

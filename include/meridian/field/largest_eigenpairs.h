@@ -13,8 +13,8 @@ namespace meridian {
 /// eigenvalues of a symmetric operation, the largest first, and their unit vectors.
 struct Eigenpairs
 {
-  std::vector<double> values;
-  std::vector<std::vector<double>> vectors;
+  std::vector<double> values;               ///< the largest first
+  std::vector<std::vector<double>> vectors; ///< of each value, of length 1
 };
 
 /*!

@@ -16,8 +16,8 @@ namespace meridian {
 /// a value prescribed at a node of the closed model.
 struct Dirichlet_value
 {
-  Index node;
-  double value;
+  Index node;   ///< the node
+  double value; ///< the value there
 };
 
 /*!
@@ -49,7 +49,9 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model&
                                   Make_solver make_solver = make_symmetric_solver);
 
 /// \ingroup PkgMeridianOrder
-/// the same with the edges of the surface and weights as made by `edge_weights()`, one a halfedge
+/// the same with the edges of the surface and weights as made by `edge_weights()`, one a halfedge.
+/// \param s, g, weights, prescribed, make_solver as there
+/// \returns the field
 inline Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g,
                                          const std::vector<double>& weights,
                                          const std::vector<Dirichlet_value>& prescribed,

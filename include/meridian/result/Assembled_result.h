@@ -13,7 +13,7 @@ namespace meridian {
 /// a result, and where the vertices of each component stand in it.
 struct Assembled_result
 {
-  Result_mesh mesh;
+  Result_mesh mesh; ///< of all components
   /// for each component, of each vertex of its refined surface, and then of each copy
   std::vector<std::vector<Index>> place;
 };

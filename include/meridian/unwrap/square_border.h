@@ -37,7 +37,8 @@ struct Square_border
   std::vector<double> along;       ///< where each halfedge begins on its path, in steps
   std::vector<Border_path> paths;  ///< counterclockwise
 
-  int steps() const { return 4 * (size - 1); } ///< of the whole border
+  /// \returns how many steps the whole border has
+  int steps() const { return 4 * (size - 1); }
 };
 
 /*!
