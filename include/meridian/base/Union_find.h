@@ -11,7 +11,7 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianSurface
-/// disjoint sets of the numbers 0 to `n` - 1 (Tarjan 1975). The proof has one of its own, on purpose.
+/// disjoint sets of the numbers 0 to `n` - 1 (\cite tarjan1975). The proof has one of its own, on purpose.
 class Union_find
 {
 public:

@@ -24,7 +24,7 @@ struct Complex_edge
 };
 
 /// \ingroup PkgMeridianFlow
-/// the quasi Morse-Smale complex of an ordered surface (Patane 2007, section 4; Edelsbrunner, Harer, Zomorodian 2003).
+/// the quasi Morse-Smale complex of an ordered surface (\cite patane2007, section 4; \cite edelsbrunner2003).
 struct Morse_complex
 {
   std::vector<Flow_line> lines;         ///< descending ones first

@@ -30,8 +30,8 @@ double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& opti
  *
  * shortens curves within their homotopy classes.
  *
- * Each curve in turn is pulled tight in the strip of faces that it runs through (Lee, Preparata 1984) and moved over
- * vertices where it bends and the other side is shorter (Xin, Wang 2007), until no pass over all curves gains more than
+ * Each curve in turn is pulled tight in the strip of faces that it runs through (\cite lee1984) and moved over
+ * vertices where it bends and the other side is shorter (\cite xin2007), until no pass over all curves gains more than
  * the least gain. A curve is never moved over another, and two partners go on to cross as often as before: that is read
  * from the orders on edges alone. So disjoint curves stay disjoint, and simple ones simple.
  *

@@ -11,7 +11,7 @@ namespace meridian {
 struct Cut_job;
 
 /// \ingroup PkgMeridianCut
-/// cuts a meridian for each handle: a level line of a field (Patane 2007, section 3).
+/// cuts a meridian for each handle: a level line of a field (\cite patane2007, section 3).
 struct By_contours : Field_options, Meridian_options
 {
   /// its name in reports and options

@@ -13,7 +13,7 @@ namespace meridian {
 struct Cut_job;
 
 /// \ingroup PkgMeridianCut
-/// cuts contours of the geodesic distance from a vertex (Steiner, Fischer 2002).
+/// cuts contours of the geodesic distance from a vertex (\cite steiner2002).
 struct By_distance : Chosen_extrema, Meridian_options
 {
   /// its name in reports and options

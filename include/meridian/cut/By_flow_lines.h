@@ -10,7 +10,7 @@ namespace meridian {
 struct Cut_job;
 
 /// \ingroup PkgMeridianCut
-/// cuts the descending flow lines of all saddles (Ni, Garland, Hart 2004). Of the field's maxima the highest is kept.
+/// cuts the descending flow lines of all saddles (\cite ni2004). Of the field's maxima the highest is kept.
 struct By_flow_lines : Field_options
 {
   /// its name in reports and options

@@ -12,7 +12,7 @@ namespace meridian {
 struct Cut_job;
 
 /// \ingroup PkgMeridianCut
-/// cuts a meridian and a longitude for each handle (Patane 2007, section 4).
+/// cuts a meridian and a longitude for each handle (\cite patane2007, section 4).
 struct By_generators : Field_options, Meridian_options
 {
   /// its name in reports and options

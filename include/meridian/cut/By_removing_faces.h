@@ -10,7 +10,7 @@ namespace meridian {
 struct Cut_job;
 
 /// \ingroup PkgMeridianCut
-/// cuts edges: what is left when faces are removed and keep a disc (Gu, Gortler, Hoppe 2002).
+/// cuts edges: what is left when faces are removed and keep a disc (\cite gu2002).
 struct By_removing_faces
 {
   /// its name in reports and options

@@ -12,7 +12,7 @@ namespace meridian {
 struct Cut_job;
 
 /// \ingroup PkgMeridianCut
-/// cuts edges: the shortest loops at a base point (Erickson, Whittlesey 2005), for the best of several.
+/// cuts edges: the shortest loops at a base point (\cite erickson2005), for the best of several.
 struct By_tree_cotree
 {
   /// its name in reports and options

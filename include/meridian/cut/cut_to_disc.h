@@ -11,7 +11,7 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianCut
  *
- * cuts a connected surface into a disc along smooth curves (Patane 2007, section 3).
+ * cuts a connected surface into a disc along smooth curves (\cite patane2007, section 3).
  *
  * A harmonic field is ordered, simplified and unfolded; of its saddles' contours as many as there are handles are cut
  * as meridians (or generators, or the flow lines of all saddles); the boundaries that this leaves are joined by a tree

@@ -22,7 +22,7 @@ enum class Path_ends
 /*!
  * \ingroup PkgMeridianCut
  *
- * \returns a cut graph of edges from the shortest loops at a base point (Erickson, Whittlesey 2005, "Greedy optimal
+ * \returns a cut graph of edges from the shortest loops at a base point (\cite erickson2005, "Greedy optimal
  *          homotopy and homology generators")
  *
  * Shortest ways along edges from the base make a tree. Each other edge closes a loop with it, over the ways to its two
@@ -49,7 +49,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, con
  * \returns the shortest of the cut graphs that `cut_by_tree_cotree()` finds from several vertices; of equal ones the
  *          first
  *
- * The first base is far out; each further one is the vertex farthest from those before (Gonzalez 1985), the lowest of
+ * The first base is far out; each further one is the vertex farthest from those before (\cite gonzalez1985), the lowest of
  * equals. A closed sphere has one cut, between two vertices far apart.
  *
  * \param s the surface
@@ -73,7 +73,7 @@ std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bas
  *
  * A path runs between two nodes: vertices where another number of edges than two meet, or on the boundary. Without it
  * the rest leaves an annulus, and any simple path between the two boundaries of that leaves a disc again. The shortest
- * one takes its place, from node to node as Gu, Gortler, Hoppe 2002 do, or wherever it may end. A path over a closed
+ * one takes its place, from node to node as \cite gu2002 do, or wherever it may end. A path over a closed
  * sphere stays.
  *
  * \param s the surface
@@ -98,7 +98,7 @@ std::vector<Index> straighten_edge_cut(
 /*!
  * \ingroup PkgMeridianCut
  *
- * \returns a cut graph of edges from taking faces away (Gu, Gortler, Hoppe 2002, "Geometry images", section 3.1)
+ * \returns a cut graph of edges from taking faces away (\cite gu2002, "Geometry images", section 3.1)
  *
  * Faces are taken away from a seed on, in the order of their distance through faces, each with the edge to the one
  * before. The edges that are left over are pruned to a cut graph, and its paths straightened. A closed sphere is opened

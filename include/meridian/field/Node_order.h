@@ -25,7 +25,7 @@ struct Node_order
 /// \param field a function on its nodes
 /// \returns the nodes ranked by (value, index), values being compared in the scale of their region
 /// \par Complexity
-/// \f$ O(n \log n) \f$ (simulation of simplicity: Edelsbrunner, Muecke 1990)
+/// \f$ O(n \log n) \f$ (simulation of simplicity: \cite edelsbrunner1990)
 Node_order order_nodes(const Closed_model& g, const Scalar_field& field);
 
 /*!
@@ -33,8 +33,8 @@ Node_order order_nodes(const Closed_model& g, const Scalar_field& field);
  *
  * changes an order until no node is lower than all its neighbours but `minima`, and none higher but `maxima`.
  *
- * Sweeps from the allowed extrema with a priority queue, upwards and downwards in turn (Tierny, Pascucci 2012). If
- * extrema are left after eight sweeps, an st-numbering ends it (Tarjan 1986).
+ * Sweeps from the allowed extrema with a priority queue, upwards and downwards in turn (\cite tierny2012). If
+ * extrema are left after eight sweeps, an st-numbering ends it (\cite tarjan1986).
  *
  * \param g the closed model
  * \param order the order; unchanged if it has no other extrema

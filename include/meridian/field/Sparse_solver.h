@@ -73,7 +73,7 @@ using Make_solver = std::unique_ptr<Sparse_solver> (*)();
 /// \ingroup PkgMeridianOrder
 /// \returns a solver for symmetric positive definite systems, of which it reads the lower triangle: a Cholesky
 ///          factorization with approximate minimum degree ordering, CHOLMOD's supernodal one where the library was
-///          built with SuiteSparse (Chen, Davis, Hager, Rajamanickam 2008), Eigen's own otherwise
+///          built with SuiteSparse (\cite chen2008), Eigen's own otherwise
 std::unique_ptr<Sparse_solver> make_symmetric_solver();
 
 /// \ingroup PkgMeridianOrder

@@ -30,7 +30,7 @@ struct Critical_point
 /*!
  * \ingroup PkgMeridianOrder
  *
- * \returns the critical nodes of an order, in the order of their vertices (Banchoff 1970)
+ * \returns the critical nodes of an order, in the order of their vertices (\cite banchoff1970)
  *
  * The walk around a regular node passes between lower and higher exactly twice. Boundary loops are nodes, and the walk
  * goes round their collar.

@@ -16,8 +16,8 @@ enum class Weights
 {
   /// mean-value weights made symmetric edge by edge: positive and symmetric, so that the maximum principle holds
   POSITIVE,
-  MEAN_VALUE, ///< Floater 2003: positive, not symmetric
-  COTANGENT,  ///< Pinkall, Polthier 1993: symmetric, negative across obtuse angles
+  MEAN_VALUE, ///< \cite floater2003, positive, not symmetric
+  COTANGENT,  ///< \cite pinkall1993, symmetric, negative across obtuse angles
   /// cotangents on other edges than the mesh's, none negative: see `make_intrinsic_delaunay_graph()`
   INTRINSIC_DELAUNAY
 };

@@ -24,10 +24,9 @@ struct Eigenfunctions
 /*!
  * \ingroup PkgMeridianOrder
  *
- * finds the lowest eigenfunctions of the Laplacian, \f$ L x = \lambda M x \f$ (Vallet, Levy 2008).
+ * finds the lowest eigenfunctions of the Laplacian, \f$ L x = \lambda M x \f$ (\cite vallet2008).
  *
- * One factorization of \f$ L + \sigma M \f$ serves all: the implicitly restarted Lanczos method (Lehoucq, Sorensen
- * 1996) as in Spectra finds the highest eigenvalues of its inverse, on the complement of the constant function, which
+ * One factorization of \f$ L + \sigma M \f$ serves all: the implicitly restarted Lanczos method (\cite lehoucq1996) as in Spectra finds the highest eigenvalues of its inverse, on the complement of the constant function, which
  * is known. It starts from one vector and might miss a function where eigenvalues coincide, as those of symmetric
  * surfaces do; so it starts again on the complement of what was found until nothing lower is left. Masses and weights
  * are brought to unit size before, so that units do not matter.
@@ -95,7 +94,7 @@ Eigenfunctions eigenfunctions_at_vertices(const Triangle_surface& s, int k, Weig
 /*!
  * \ingroup PkgMeridianOrder
  *
- * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue (Patane 2007,
+ * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue (\cite patane2007,
  *          section 2.1). It is the same all along a boundary loop. `Eigenfunction_field` is it as a choice.
  * \param s the surface
  * \param i which one, from 1: the constant function is 0. The paper takes the genus + 1.
@@ -114,7 +113,7 @@ std::vector<double> eigenfunction_field(const Triangle_surface& s, int i, Weight
  * \ingroup PkgMeridianOrder
  *
  * \returns two vertices for the minimum and the maximum of a field: of the extrema of the first eigenfunctions, those
- *          of highest curvature (Patane 2007, section 2.1)
+ *          of highest curvature (\cite patane2007, section 2.1)
  * \param s the surface
  * \param functions how many eigenfunctions are looked at
  * \param weights the discretization; not mean-value

@@ -21,7 +21,7 @@ std::vector<double> edge_distances(const Intrinsic_triangulation& t, Index verti
  * \ingroup PkgMeridianOrder
  *
  * \returns for each vertex its distance within the surface from the nearest of some vertices, by the heat method
- *          (Crane, Weischedel, Wardetzky 2013) on the intrinsic Delaunay triangulation (Sharp, Crane 2020)
+ *          (\cite crane2013) on the intrinsic Delaunay triangulation (\cite sharp2020)
  *
  * Heat flows from the sources for a short while, its gradient is brought to unit length, and the function whose
  * gradient comes nearest to that is solved for. The time is the square of the mean length of edges; on surfaces so long

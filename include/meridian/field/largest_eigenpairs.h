@@ -21,7 +21,7 @@ struct Eigenpairs
  * \ingroup PkgMeridianOrder
  *
  * finds eigenvalues of largest magnitude of a symmetric operation by the Lanczos method with implicit restarts, from a
- * fixed vector (Spectra; Calvetti, Reichel, Sorensen 1994). Where eigenvalues coincide some may be missed.
+ * fixed vector (Spectra; \cite calvetti1994). Where eigenvalues coincide some may be missed.
  *
  * \param n the dimension
  * \param operation writes the image of the vector of `n` values at `in` to `out`

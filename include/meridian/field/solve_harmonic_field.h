@@ -23,7 +23,7 @@ struct Dirichlet_value
 /*!
  * \ingroup PkgMeridianOrder
  *
- * solves \f$ \Delta f = 0 \f$ with prescribed values (Ni, Garland, Hart 2004).
+ * solves \f$ \Delta f = 0 \f$ with prescribed values (\cite ni2004).
  *
  * A boundary loop takes one value, without flux. Where the solution is flat to rounding and the flat region holds a
  * handle, the field is solved again inside the region, from the values around it brought to scale, and so on inward:

@@ -51,7 +51,7 @@ template <> struct Names<Curve_method>
 };
 
 /// \ingroup PkgMeridianGenerators
-/// on which side of its surface a curve bounds, up to homology (Dey, Li, Sun 2007).
+/// on which side of its surface a curve bounds, up to homology (\cite dey2007).
 enum class Loop_class
 {
   HANDLE, ///< on the bounded side, like the meridian of a torus

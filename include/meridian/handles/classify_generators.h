@@ -33,7 +33,7 @@ std::vector<Loop_class> classify_loops(const Triangle_surface& root, const std::
 /*!
  * \ingroup PkgMeridianGenerators
  *
- * says for each curve on which side of the surface it bounds (handle and tunnel loops: Dey, Li, Sun 2007).
+ * says for each curve on which side of the surface it bounds (handle and tunnel loops: \cite dey2007).
  *
  * A curve bounds in the space on one side, up to homology, if and only if it is not linked with any loop of the other
  * side (Alexander duality). Its linking numbers with a basis of loops through faces, pushed off the surface, are

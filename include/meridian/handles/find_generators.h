@@ -31,7 +31,7 @@ std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& roo
 /*!
  * \ingroup PkgMeridianGenerators
  *
- * finds a meridian and a longitude around every handle of a connected surface (Patane 2007, section 4).
+ * finds a meridian and a longitude around every handle of a connected surface (\cite patane2007, section 4).
  *
  * Meridians are contours of a harmonic field, chosen as for a cut. A longitude is the shortest way from one side of its
  * meridian to the other that crosses no other curve, and back along it; the shortest are taken first. One always

@@ -43,7 +43,7 @@ struct Homology_basis
  *
  * finds short simple closed curves that are a basis of first homology (of the surface with its boundary loops closed).
  *
- * Loops of a tree and cotree of faces (Erickson, Whittlesey 2005) are taken from several faces far apart, and meridians
+ * Loops of a tree and cotree of faces (\cite erickson2005) are taken from several faces far apart, and meridians
  * and longitudes beside them; they are tightened and chosen greedily, the shortest first, as long as they are
  * independent modulo 2. So the determinant over the integers is odd; that it is 1 or -1 is for `verify_generators()` to
  * see. The curves may cross.

@@ -12,15 +12,15 @@ namespace meridian {
 /// how a disc is mapped into the plane. Those from `MEAN_VALUE` on are CGAL's.
 enum class Map_method
 {
-  SYMMETRIC_DIRICHLET, ///< one-to-one, with low distortion (Smith, Schaefer 2015; Jiang, Schaefer, Panozzo 2017)
-  POSITIVE,            ///< averages with symmetric positive weights (Tutte 1963, Floater 1997): the safest
-  STRETCH,             ///< the same, with weights changed until stretch is low (Yoshizawa, Belyaev, Seidel 2004)
-  MEAN_VALUE,          ///< mean value coordinates (Floater 2003)
-  TUTTE,               ///< averages with uniform weights (Tutte 1963)
-  CONFORMAL,           ///< discrete conformal (Eck et al. 1995)
-  AUTHALIC,            ///< discrete authalic (Desbrun, Meyer, Alliez 2002)
-  LSCM,                ///< least squares conformal, two points fixed (Levy, Petitjean, Ray, Maillot 2002)
-  ARAP                 ///< as rigid as possible (Liu, Zhang, Xu, Gotsman, Gortler 2008)
+  SYMMETRIC_DIRICHLET, ///< one-to-one, with low distortion (\cite smith2015; \cite jiang2017)
+  POSITIVE,            ///< averages with symmetric positive weights (\cite tutte1963, \cite floater1997): the safest
+  STRETCH,             ///< the same, with weights changed until stretch is low (\cite yoshizawa2004)
+  MEAN_VALUE,          ///< mean value coordinates (\cite floater2003)
+  TUTTE,               ///< averages with uniform weights (\cite tutte1963)
+  CONFORMAL,           ///< discrete conformal (\cite eck1995)
+  AUTHALIC,            ///< discrete authalic (\cite desbrun2002)
+  LSCM,                ///< least squares conformal, two points fixed (\cite levy2002)
+  ARAP                 ///< as rigid as possible (\cite liu2008)
 };
 
 /// \ingroup PkgMeridianParameterization

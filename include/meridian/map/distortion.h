@@ -11,8 +11,7 @@ namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
 /// how a map between a face and the plane distorts, when the whole image is scaled to the area of the surface. With
-/// \f$ \Gamma \ge \gamma \f$, the singular values of the map from the plane to the surface (Sander, Snyder, Gortler,
-/// Hoppe 2001):
+/// \f$ \Gamma \ge \gamma \f$, the singular values of the map from the plane to the surface (\cite sander2001):
 struct Face_distortion
 {
   double stretch_l2 = 1;   ///< \f$ \sqrt{(\Gamma^2 + \gamma^2) / 2} \f$

@@ -21,7 +21,7 @@ struct Planar_embedding
 /*!
  * \ingroup PkgMeridianSurface
  *
- * embeds a connected bordered surface of genus 0 in the plane (Tutte 1963, with symmetric positive weights).
+ * embeds a connected bordered surface of genus 0 in the plane (\cite tutte1963, with symmetric positive weights).
  *
  * The longest boundary loop becomes a circle; the others are filled with a fan around a new vertex, so that the whole
  * is a disc. In exact arithmetic no face can be turned over; in double precision faces at the end of long tubes

@@ -63,9 +63,9 @@ private:
  *
  * lowers the distortion of a map.
  *
- * The symmetric Dirichlet energy (Smith, Schaefer 2015) is minimized by Newton's method with the Hessian's negative
- * part left out (Smith, de Goes, Kim 2019). If the border may move, the plane outside of the image is triangulated and
- * resists too, so that it does not run into itself (Jiang, Schaefer, Panozzo 2017). A step is taken only if no face is
+ * The symmetric Dirichlet energy (\cite smith2015) is minimized by Newton's method with the Hessian's negative
+ * part left out (\cite smith2019). If the border may move, the plane outside of the image is triangulated and
+ * resists too, so that it does not run into itself (\cite jiang2017). A step is taken only if no face is
  * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
  * thought scaled to the area that the image has at the beginning.
  *

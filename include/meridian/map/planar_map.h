@@ -37,7 +37,7 @@ bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& a
 /// \ingroup PkgMeridianParameterization
 /// \param points some points
 /// \returns the direction of the longer side of the rectangle of least area around them, of length 1
-///          (CGAL's rotating calipers; Toussaint 1983)
+///          (CGAL's rotating calipers; \cite toussaint1983)
 /// \par Complexity
 /// \f$ O(n \log n) \f$
 Plane_point longer_side_of_smallest_rectangle(const std::vector<Plane_point>& points);

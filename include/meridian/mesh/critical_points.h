@@ -29,7 +29,7 @@ template <class TriangleMesh> struct Critical_vertex
  * \ingroup PkgMeridianFaceGraph
  *
  * finds the critical vertices of a field: where the walk around a vertex does not pass between lower and higher exactly
- * twice (Banchoff 1970). Vertices of one value are told apart by their numbers.
+ * twice (\cite banchoff1970). Vertices of one value are told apart by their numbers.
  *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`
@@ -64,7 +64,7 @@ Critical_counts critical_points(const TriangleMesh& tm, VertexFieldMap field, Ou
  * \ingroup PkgMeridianFaceGraph
  *
  * builds the quasi Morse-Smale complex of a field: the two descending and the two ascending flow lines of every saddle,
- * as a graph on the critical points (Patane 2007, section 4).
+ * as a graph on the critical points (\cite patane2007, section 4).
  *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`

@@ -139,7 +139,7 @@ Homology_basis shortest_basis(TriangleMesh& tm, OutputIterator loops,
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
- * says for each of some loops on which side of the surface it bounds (handle and tunnel loops: Dey, Li, Sun 2007).
+ * says for each of some loops on which side of the surface it bounds (handle and tunnel loops: \cite dey2007).
  *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam LoopRange a range of ranges of halfedges

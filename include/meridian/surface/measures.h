@@ -40,7 +40,7 @@ struct Curvature
 /// \param s the surface
 /// \param v the vertex
 /// \par Complexity
-/// Linear in the degree. See Meyer, Desbrun, Schroeder, Barr 2003 and Cohen-Steiner, Morvan 2003.
+/// Linear in the degree. See \cite meyer2003 and \cite cohensteiner2003.
 Curvature curvature(const Triangle_surface& s, Index v);
 
 /// \ingroup PkgMeridianSurface
@@ -64,7 +64,7 @@ std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& 
 /// \param lengths one an edge of `g`, as made by `edge_lengths()`
 /// \param source a node
 /// \par Complexity
-/// \f$ O(n \log n) \f$ (Dijkstra 1959).
+/// \f$ O(n \log n) \f$ (\cite dijkstra1959).
 std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source);
 
 /// \ingroup PkgMeridianSurface

@@ -67,7 +67,7 @@ double laplacian_residual(const Triangle_surface& root, const std::vector<double
  * \ingroup PkgMeridianParameterization
  *
  * compares two maps of one surface, each of a disc that it was cut into, and bounds from below how far they differ
- * (Patane 2007, section 5).
+ * (\cite patane2007, section 5).
  *
  * Let `J` be the vertices that neither cut touches, see `find_untouched_vertices()`, and `L` the Laplacian of the
  * surface. Its rows `J` are rows of the Laplacians of both discs, because weights depend on the faces at an edge. A
@@ -88,7 +88,7 @@ double laplacian_residual(const Triangle_surface& root, const std::vector<double
  * \param root the surface
  * \param first, second two discs of it
  * \param weights one for each halfedge of the surface, equal on twins; their matrix is positive semidefinite
- * \param at the image of each vertex of each disc. Least squares conformal maps (Levy et al. 2002) obey the equations
+ * \param at the image of each vertex of each disc. Least squares conformal maps (\cite levy2002) obey the equations
  *   of cotangent weights at all vertices but the boundary and those that are pinned
  *
  * \returns how far they differ, and the bound

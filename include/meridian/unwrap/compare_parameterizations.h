@@ -17,9 +17,9 @@ namespace meridian {
 /// the linear maps into a circle that can be compared.
 enum class Map_weights
 {
-  UNIFORM,  ///< all weights are 1 (Tutte 1963)
-  POSITIVE, ///< `Weights::POSITIVE`: mean-value weights made symmetric (Floater 2003)
-  COTANGENT ///< `Weights::COTANGENT`: discrete harmonic maps (Eck et al. 1995). Faces may be turned over
+  UNIFORM,  ///< all weights are 1 (\cite tutte1963)
+  POSITIVE, ///< `Weights::POSITIVE`: mean-value weights made symmetric (\cite floater2003)
+  COTANGENT ///< `Weights::COTANGENT`: discrete harmonic maps (\cite eck1995). Faces may be turned over
 };
 
 /// the names of `Map_weights`.

@@ -13,7 +13,7 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// a surface as an image: a square grid of points, each coordinate a number of 16 bits (Gu, Gortler, Hoppe 2002).
+/// a surface as an image: a square grid of points, each coordinate a number of 16 bits (\cite gu2002).
 ///
 /// Coordinate `c` of a sample `q` is `low[c] + step * q`. Rows go up: row 0 is the side of the unit square with y = 0.
 struct Geometry_image

@@ -23,7 +23,7 @@ struct Round_trip
   double hausdorff = 0;   ///< the larger of both largest distances
   double rms = 0;         ///< the larger of both
   double diagonal = 0;    ///< of the bounding box of the first surface
-  double psnr = 0;        ///< \f$ 20 \log_{10} (diagonal / rms) \f$, in decibels (Gu, Gortler, Hoppe 2002)
+  double psnr = 0;        ///< \f$ 20 \log_{10} (diagonal / rms) \f$, in decibels (\cite gu2002)
 };
 
 /*!

@@ -44,8 +44,7 @@ struct Square_border
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * lays the border of a disc out on the unit square so that its geometry image closes without cracks (Gu, Gortler, Hoppe
- * 2002).
+ * lays the border of a disc out on the unit square so that its geometry image closes without cracks (\cite gu2002).
  *
  * The border is taken apart into paths between the vertices where seams meet, end, or reach the boundary. Each path
  * takes a whole number of steps of the grid by its length, both sides of a seam the same number; seams that would
