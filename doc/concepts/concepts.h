@@ -6,12 +6,13 @@
 /*!
  * \ingroup PkgMeridianConcepts
  *
- * a triangle mesh that functions read: a model of CGAL's `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph` whose faces are
- * triangles, whose edges have one or two faces, and whose vertices have one fan of faces each. Points are read from the named parameter
- * `vertex_point_map` or from `get(CGAL::vertex_point, tm)`. Vertices, edges and faces are numbered in the order of `vertices(tm)` and so on.
+ * a triangle mesh that functions read: a model of CGAL's `VertexListGraph`, `FaceListGraph` and `HalfedgeListGraph`
+ * whose faces are triangles, whose edges have one or two faces, and whose vertices have one fan of faces each. Points
+ * are read from the named parameter `vertex_point_map` or from `get(CGAL::vertex_point, tm)`. Vertices, edges and
+ * faces are numbered in the order of `vertices(tm)` and so on.
  *
- * Models: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, `CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper`'s type, OpenMesh's meshes
- * through CGAL's adaptor.
+ * Models: `CGAL::Surface_mesh`, `CGAL::Polyhedron_3`, `CGAL::Linear_cell_complex_for_bgl_combinatorial_map_helper`'s
+ * type, OpenMesh's meshes through CGAL's adaptor.
  */
 class ReadableTriangleMesh
 {};
@@ -19,9 +20,9 @@ class ReadableTriangleMesh
 /*!
  * \ingroup PkgMeridianConcepts
  *
- * a `ReadableTriangleMesh` that can be refined where it stands: a model of CGAL's `MutableFaceGraph` too. Of that concept `add_vertex()`,
- * `add_edge()`, `add_face()`, `set_target()`, `set_next()`, `set_face()` and `set_halfedge()` are called; nothing is ever removed. New elements
- * come behind those that there are, in the order of the ranges.
+ * a `ReadableTriangleMesh` that can be refined where it stands: a model of CGAL's `MutableFaceGraph` too. Of that
+ * concept `add_vertex()`, `add_edge()`, `add_face()`, `set_target()`, `set_next()`, `set_face()` and `set_halfedge()`
+ * are called; nothing is ever removed. New elements come behind those that there are, in the order of the ranges.
  *
  * Models: those of `ReadableTriangleMesh`.
  */
@@ -31,9 +32,9 @@ class RefinableTriangleMesh
 /*!
  * \ingroup PkgMeridianConcepts
  *
- * what rates a loop that may become a meridian: a function object that is called with a `meridian::Loop_candidate` and returns a `double`. The
- * loops with the highest rates are cut first, and of equal ones the shorter; numbers that are not finite come last. It is called once for each
- * loop, in the order of the saddles.
+ * what rates a loop that may become a meridian: a function object that is called with a `meridian::Loop_candidate`
+ * and returns a `double`. The loops with the highest rates are cut first, and of equal ones the shorter; numbers that
+ * are not finite come last. It is called once for each loop, in the order of the saddles.
  *
  * Models: the functions of `meridian::preference`, any lambda (`prefer_loops.cpp` is an example).
  */
@@ -48,8 +49,8 @@ public:
 /*!
  * \ingroup PkgMeridianConcepts
  *
- * a way to cut handles. Wrapped in a `meridian::By_own_method` it is a `meridian::Cut_method` like those of the library, whose result is
- * recounted like theirs.
+ * a way to cut handles. Wrapped in a `meridian::By_own_method` it is a `meridian::Cut_method` like those of the
+ * library, whose result is recounted like theirs.
  *
  * Models: `meridian::By_contours` and all others that `meridian::Cut_method` lists.
  */
@@ -57,7 +58,7 @@ class CutMethod
 {
 public:
   static constexpr meridian::Choice_name names; ///< how reports call it, and what it means in a few words
-  static constexpr bool cuts_edges;             ///< whether it finds a whole cut graph of edges: then there are no links
+  static constexpr bool cuts_edges;             ///< whether it finds a whole cut graph of edges, without links
   static constexpr bool moves_onto_edges;       ///< whether its curves can be moved onto edges one by one
   /// cuts the handles of a surface, as `meridian::Cut_job` says.
   /// \param job the surface and the choices, and what is filled
@@ -67,8 +68,8 @@ public:
 /*!
  * \ingroup PkgMeridianConcepts
  *
- * what one may replace of a cut without writing a method: given by the named parameter `cut_traits`, or by `meridian::with_traits()`. It is
- * copied. No topology rests on what the functions return.
+ * what one may replace of a cut without writing a method: given by the named parameter `cut_traits`, or by
+ * `meridian::with_traits()`. It is copied. No topology rests on what the functions return.
  *
  * Models: `meridian::Default_cut_traits`.
  */
@@ -87,15 +88,16 @@ public:
   /// where level lines cross edges, which shows where they are not tightened.
   /// \param low, high the field at the ends of an edge
   /// \param level the value of the line, between them
-  /// \returns the fraction of the way from the lower end to the higher one; what is not between 0 and 1 counts as a half
+  /// \returns the fraction of the way from the lower end to the higher one; what is not from 0 to 1 counts as a half
   double crossing(double low, double high, double level) const;
 };
 
 /*!
  * \ingroup PkgMeridianConcepts
  *
- * who is told of the stages of a run, and may end it: given to functions on meshes by the named parameter `visitor`, as a
- * `std::reference_wrapper` or a pointer, so that it is not copied. A class derived from `meridian::Progress_observer`.
+ * who is told of the stages of a run, and may end it: given to functions on meshes by the named parameter `visitor`,
+ * as a `std::reference_wrapper` or a pointer, so that it is not copied. A class derived from
+ * `meridian::Progress_observer`.
  *
  * Models: `meridian::Progress_observer`, which hears and says nothing (`stop_a_run.cpp` is an example of another).
  */
@@ -105,10 +107,11 @@ class RunVisitor
 /*!
  * \ingroup PkgMeridianConcepts
  *
- * what solves sparse systems: a model of CGAL's concept `SparseLinearAlgebraWithFactorTraits_d` that can be made without arguments, given by the
- * named parameter `sparse_linear_solver`. It solves the symmetric positive definite systems of fields, and the unsymmetric ones of mean-value
- * weights; of the symmetric ones at least the lower triangle is written. For each system one is made, whose `factor()` is called once and whose
- * `linear_solver()` as often as is needed.
+ * what solves sparse systems: a model of CGAL's concept `SparseLinearAlgebraWithFactorTraits_d` that can be made
+ * without arguments, given by the named parameter `sparse_linear_solver`. It solves the symmetric positive definite
+ * systems of fields, and the unsymmetric ones of mean-value weights; of the symmetric ones at least the lower
+ * triangle is written. For each system one is made, whose `factor()` is called once and whose `linear_solver()` as
+ * often as is needed.
  *
  * Models: `CGAL::Eigen_solver_traits` (`own_solver.cpp` is an example).
  */

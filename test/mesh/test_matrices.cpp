@@ -16,8 +16,8 @@ using namespace meridian;
 
 namespace {
 
-// The faces of a mesh cut where a mask says so, written from the definition: corners at both ends of an edge that is not
-// cut are one vertex. Returns how many vertices there are.
+// The faces of a mesh cut where a mask says so, written from the definition: corners at both ends of an edge that is
+// not cut are one vertex. Returns how many vertices there are.
 int vertices_of_cut_mesh(const Eigen::MatrixX3i& F, const Eigen::MatrixX3i& mask)
 {
   std::vector<int> parent(static_cast<std::size_t>(3 * F.rows()));

@@ -154,7 +154,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_harmonic_field_lies_between_its_extrema, Mesh, M
   BOOST_CHECK_THROW(harmonic_field(tm, Some(), Some(), into(field), parameters::visitor(std::ref(button))), Cancelled);
 }
 
-// Known answer: eigenvalues of the unit sphere are 2, three times, and 6; the integral of the square of a function is 1.
+// Known answer: eigenvalues of the unit sphere are 2, three times, and 6; the square of a function has integral 1.
 BOOST_AUTO_TEST_CASE_TEMPLATE(eigenfunctions_of_a_sphere_are_spherical_harmonics, Mesh, Mesh_types)
 {
   const Triangle_surface s = sample::sphere(4);
@@ -328,7 +328,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_of_edges_are_pulled_tight, Mesh, Mesh_types)
   BOOST_TEST(num_vertices(tm) == 640u); // not touched
 }
 
-// Theorem: the mesh opened along the map of a cut is a disc; each of its vertices lies where the one does that it copies.
+// Theorem: the mesh opened along the map of a cut is a disc; its vertices lie where those do that they copy.
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_opened_along_an_edge_map, Mesh, Mesh_types)
 {
   for (const Triangle_surface& s : {sample::torus(20, 12), sample::punctured(sample::plate(2, 3), {20})})

@@ -1,5 +1,5 @@
-// The kinds of meshes that tests of the rim are compiled for, one at a time: all at once take more memory than a compiler
-// should.
+// The kinds of meshes that tests of the rim are compiled for, one at a time: all at once take more memory than a
+// compiler should.
 #ifndef MERIDIAN_TEST_MESH_TYPES_H
 #define MERIDIAN_TEST_MESH_TYPES_H
 
@@ -64,8 +64,8 @@ template <class TriangleMesh> TriangleMesh build_mesh(const meridian::Triangle_s
   return tm;
 }
 
-// A property map of edges that anyone can make, kept by halfedges: an edge of a cell complex is less than itself, seen from
-// the other side.
+// A property map of edges that anyone can make, kept by halfedges: an edge of a cell complex is less than itself,
+// seen from the other side.
 template <class TriangleMesh> class Edge_marks
 {
 public:

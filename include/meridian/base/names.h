@@ -21,8 +21,9 @@ template <class Enum> struct Named_value
 };
 
 /// \ingroup PkgMeridianNames
-/// the one table of an enum, or of a variant of choices. It is specialized beside each enum that has names, with an array
-/// `table` of `Named_value`s in the order of their declaration. Reports, the program's options and the tests read it.
+/// the one table of an enum, or of a variant of choices. It is specialized beside each enum that has names, with an
+/// array `table` of `Named_value`s in the order of their declaration. Reports, the program's options and the tests read
+/// it.
 template <class Enum> struct Names;
 
 /// \ingroup PkgMeridianNames

@@ -127,7 +127,8 @@ public:
   /// \param first, last crossings of one curve \param halfedges what is crossed between them instead
   /// \param at_target whether next to the targets of these, or to their sources
   void reroute(Id first, Id last, const std::vector<Index>& halfedges, bool at_target);
-  /// \param end an end \param to where it goes \param halfedges what the curve crosses from there, to what is left of it
+  /// \param end an end \param to where it goes \param halfedges what the curve crosses from there, to what is left of
+  ///   it
   /// \param around the vertex that these crossings are near to
   void extend(const End& end, Index to, const std::vector<Index>& halfedges, Index around);
   /// \param end an end, whose crossings that only lead round its vertex are left out

@@ -57,8 +57,8 @@ std::vector<Contour> trace_level(const Ordered_surface& m, Index level);
 /// \param m the ordered surface
 /// \param h a halfedge
 /// \param level a level that it rises through
-/// \returns where the contour crosses it, as a fraction from its source: by `m.placement`, or linear interpolation of the field
-///          in the finest scale that the edge has; 1/2 where the order goes against the field
+/// \returns where the contour crosses it, as a fraction from its source: by `m.placement`, or linear interpolation of
+///          the field in the finest scale that the edge has; 1/2 where the order goes against the field
 double crossing_fraction(const Ordered_surface& m, Index h, Index level);
 
 /// \ingroup PkgMeridianContours

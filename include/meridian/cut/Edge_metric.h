@@ -11,8 +11,8 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianCut
-/// how long an edge counts, given one of its halfedges: for ways along edges that shall keep away from where it is long.
-/// The same from both sides, finite and not negative. Empty: its length.
+/// how long an edge counts, given one of its halfedges: for ways along edges that shall keep away from where it is
+/// long. The same from both sides, finite and not negative. Empty: its length.
 using Edge_metric = std::function<double(const Triangle_surface& s, Index halfedge)>;
 
 /// \ingroup PkgMeridianCut

@@ -49,8 +49,8 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, con
  * \returns the shortest of the cut graphs that `cut_by_tree_cotree()` finds from several vertices; of equal ones the
  *          first
  *
- * The first base is far out; each further one is the vertex farthest from those before (\cite gonzalez1985), the lowest of
- * equals. A closed sphere has one cut, between two vertices far apart.
+ * The first base is far out; each further one is the vertex farthest from those before (\cite gonzalez1985), the lowest
+ * of equals. A closed sphere has one cut, between two vertices far apart.
  *
  * \param s the surface
  * \param bases how many base points; from the number of vertices on, all are taken

@@ -34,9 +34,10 @@ struct Link_options
  *
  * joins all boundaries of a slit genus-0 surface by a tree of shortest paths, which makes it a disc.
  *
- * The Voronoi diagram of the boundaries is grown until its cells' contacts hold a minimum spanning tree (\cite kruskal1956); it gives the pairs. Each link is then found as a strip of faces, moved and pulled until it is locally
- * shortest, and inserted before the next, so that links never cross. The topology rests on strips of different faces
- * that cross no seam, which always exist, and on a union-find of boundaries.
+ * The Voronoi diagram of the boundaries is grown until its cells' contacts hold a minimum spanning tree
+ * (\cite kruskal1956); it gives the pairs. Each link is then found as a strip of faces, moved and pulled until it is
+ * locally shortest, and inserted before the next, so that links never cross. The topology rests on strips of different
+ * faces that cross no seam, which always exist, and on a union-find of boundaries.
  *
  * A closed surface of genus 0 is opened along a path between two vertices far apart, of at least two edges.
  *

@@ -15,8 +15,8 @@ namespace meridian {
  * joins all boundaries of a slit genus-0 surface by a tree of paths along existing edges, which makes it a disc. No
  * vertex is added.
  *
- * The tree grows from one boundary (\cite prim1957): each link is the shortest path of edges from what is joined so far to
- * the nearest other boundary, and its inside avoids all vertices of boundaries, seams and links. It may begin on an
+ * The tree grows from one boundary (\cite prim1957): each link is the shortest path of edges from what is joined so far
+ * to the nearest other boundary, and its inside avoids all vertices of boundaries, seams and links. It may begin on an
  * earlier link: if that were not allowed, links could run out of free vertices. A loop whose neighbours all lie on one
  * link, for example, is reached from that link only, and there may be no free vertex in between, which
  * `link_boundaries()` would make by dividing edges.

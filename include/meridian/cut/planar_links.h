@@ -15,7 +15,8 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianLinks
  *
- * joins all boundaries of a slit genus-0 surface by preimages of segments in a planar embedding (\cite patane2007families).
+ * joins all boundaries of a slit genus-0 surface by preimages of segments in a planar embedding
+ * (\cite patane2007families).
  *
  * The boundaries' images are the constraints of a constrained Delaunay triangulation (CGAL). Its edges between
  * different boundaries neither cross a boundary nor each other; the links are the minimum spanning tree of these. Each

@@ -20,7 +20,7 @@ namespace meridian {
 enum class Extrema
 {
   DISTANT, ///< at two vertices far apart
-  CURVED ///< at extrema of the first eigenfunctions, where the surface is strongly curved (\cite patane2007, section 2.1)
+  CURVED   ///< at extrema of eigenfunctions, where the surface is strongly curved (\cite patane2007, section 2.1)
 };
 
 /// the names of `Extrema`.

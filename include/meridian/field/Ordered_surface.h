@@ -30,8 +30,8 @@ struct Ordered_surface
   Node_order order;                     ///< of the nodes of `graph`
   std::vector<Index> rank;              ///< of the node of each vertex
   std::vector<Critical_point> critical; ///< of the order, before unfolding
-  /// where a level line crosses an edge, as a fraction of the way from its lower end to its higher one, given the values
-  /// of the field at these and at the level; empty: linear
+  /// where a level line crosses an edge, as a fraction of the way from its lower end to its higher one, given the
+  /// values of the field at these and at the level; empty: linear
   std::function<double(double low, double high, double level)> placement;
 };
 

@@ -26,10 +26,11 @@ struct Eigenfunctions
  *
  * finds the lowest eigenfunctions of the Laplacian, \f$ L x = \lambda M x \f$ (\cite vallet2008).
  *
- * One factorization of \f$ L + \sigma M \f$ serves all: the implicitly restarted Lanczos method (\cite lehoucq1996) as in Spectra finds the highest eigenvalues of its inverse, on the complement of the constant function, which
- * is known. It starts from one vector and might miss a function where eigenvalues coincide, as those of symmetric
- * surfaces do; so it starts again on the complement of what was found until nothing lower is left. Masses and weights
- * are brought to unit size before, so that units do not matter.
+ * One factorization of \f$ L + \sigma M \f$ serves all: the implicitly restarted Lanczos method (\cite lehoucq1996) as
+ * in Spectra finds the highest eigenvalues of its inverse, on the complement of the constant function, which is known.
+ * It starts from one vector and might miss a function where eigenvalues coincide, as those of symmetric surfaces do; so
+ * it starts again on the complement of what was found until nothing lower is left. Masses and weights are brought to
+ * unit size before, so that units do not matter.
  *
  * \param g the closed model, or another graph with weights on its edges
  * \param weights the weights `g.halfedge` refers to
@@ -94,8 +95,9 @@ Eigenfunctions eigenfunctions_at_vertices(const Triangle_surface& s, int k, Weig
 /*!
  * \ingroup PkgMeridianOrder
  *
- * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue (\cite patane2007,
- *          section 2.1). It is the same all along a boundary loop. `Eigenfunction_field` is it as a choice.
+ * \returns one value a vertex: eigenfunction `i` of the Laplacian times the square root of its eigenvalue
+ *          (\cite patane2007, section 2.1). It is the same all along a boundary loop. `Eigenfunction_field` is it as a
+ *          choice.
  * \param s the surface
  * \param i which one, from 1: the constant function is 0. The paper takes the genus + 1.
  * \param weights the discretization; not mean-value

@@ -28,7 +28,8 @@ struct Intrinsic_triangulation
 
   /// \param h a halfedge \returns the area of its face, by Heron's formula as \cite kahan2014 arranged it
   double area(Index h) const;
-  /// \param h a halfedge \returns where the third corner of its face lies, `h` on the x axis from the origin, the face above
+  /// \param h a halfedge \returns where the third corner of its face lies, `h` on the x axis from the origin, the face
+  ///   above
   std::array<double, 2> corner(Index h) const;
   /// \param h a halfedge \returns the cotangent of the angle across from it in its face
   double cotangent(Index h) const;
@@ -37,7 +38,8 @@ struct Intrinsic_triangulation
 /*!
  * \ingroup PkgMeridianOrder
  *
- * makes the intrinsic Delaunay triangulation of a surface (\cite bobenko2007) by flips (\cite fisher2006): the angles across from an edge add up to at most \f$ \pi \f$.
+ * makes the intrinsic Delaunay triangulation of a surface (\cite bobenko2007) by flips (\cite fisher2006): the angles
+ * across from an edge add up to at most \f$ \pi \f$.
  *
  * Lengths are bounded below by a millionth of their mean; then all grow alike until in every face two sides are
  * together longer than the third by as much (\cite sharp2020), so that every face has an area. Edges of the boundary

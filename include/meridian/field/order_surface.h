@@ -59,7 +59,8 @@ Scalar_field field_of_values(const Triangle_surface& root, const Refined_surface
  *
  * \returns the ordered surface
  * \pre `root` is connected
- * \throws Invalid_input_error as `check()` does or if minima and maxima coincide, Solver_error if the field cannot be solved
+ * \throws Invalid_input_error as `check()` does or if minima and maxima coincide, Solver_error if the field cannot be
+ *   solved
  * \par Complexity
  * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
  */

@@ -27,7 +27,8 @@ namespace meridian {
  * \param solvers the solvers
  * \param run calls its second argument; the first is the stage
  * \returns the ordered surface
- * \throws Invalid_input_error as `check()` does or if minima and maxima coincide, Solver_error if the field cannot be solved
+ * \throws Invalid_input_error as `check()` does or if minima and maxima coincide, Solver_error if the field cannot be
+ *   solved
  * \par Complexity
  * that of `order_surface()`
  */

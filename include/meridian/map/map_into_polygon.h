@@ -25,7 +25,8 @@ std::vector<Plane_point> place_on_circle(const std::vector<double>& places);
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * maps a disc into a convex polygon so that every inner vertex is the average of its neighbours (\cite tutte1963; \cite floater1997).
+ * maps a disc into a convex polygon so that every inner vertex is the average of its neighbours (\cite tutte1963;
+ * \cite floater1997).
  *
  * With positive weights and no chord that joins two points of one side of the polygon, no face is turned over in exact
  * arithmetic.

@@ -39,8 +39,8 @@ template <class TriangleMesh> struct Critical_vertex
  * \param field the field; on a boundary loop its mean counts
  * \param out receives the critical vertices
  * \param np optional: `vertex_point_map` (a `ReadablePropertyMap`; default: `get(CGAL::vertex_point, tm)`)
- * \returns how many there are; minima - saddles + maxima is the Euler characteristic of the mesh with its boundary loops
- *   closed, saddles counted by multiplicity
+ * \returns how many there are; minima - saddles + maxima is the Euler characteristic of the mesh with its boundary
+ *   loops closed, saddles counted by multiplicity
  * \throws Invalid_input_error if a value is not finite
  * \par Complexity
  * \f$ O(n \log n) \f$

@@ -91,8 +91,8 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
  * \param tm the mesh
  * \param np optional:
  *   - `cut_options` (a `Cut_options`; its vertices are numbered in the order of `vertices(tm)`);
- *   - `cut_traits` (a model of `CutTraits`): what the method shall use in place of its own preference, metric of edges and
- *     places of crossings;
+ *   - `cut_traits` (a model of `CutTraits`): what the method shall use in place of its own preference, metric of edges
+ *   and places of crossings;
  *   - `field_map` (a `ReadablePropertyMap` from vertices to `double`): the field whose contours are cut;
  *     `vertex_weight_map` (the same): meridians keep to low weights;
  *   - `vertex_point_map` (a `ReadWritePropertyMap`; default: `get(CGAL::vertex_point, tm)`). A new point is constructed
@@ -107,8 +107,8 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
  *   - `vertex_field_map` (a `WritablePropertyMap` from vertices to `double`) receives the field, linear in each face;
  *   - `vertex_origin_map` (the same, to `Origin`) receives where on the mesh a vertex lies, `face_origin_map` (from
  *     faces to `Index`) the number of the face that a face was part of;
- *   - `morse_graph` (a `std::reference_wrapper` of a `Morse_graph<TriangleMesh>`) receives the quasi Morse-Smale complex
- *     of the field, on the mesh as it was.
+ *   - `morse_graph` (a `std::reference_wrapper` of a `Morse_graph<TriangleMesh>`) receives the quasi Morse-Smale
+ *   complex of the field, on the mesh as it was.
  * \returns the cut, recounted; its vertices and faces have other numbers than those of `tm`
  * \throws Invalid_input_error, Solver_error, Cancelled as that function. The mesh is not touched then.
  */

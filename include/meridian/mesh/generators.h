@@ -67,8 +67,8 @@ std::vector<std::vector<Index>> walks_of(const TriangleMesh& tm, const LoopRange
  * \tparam MeridianOutputIterator, LongitudeOutputIterator output iterators of `std::vector`s of halfedges
  * \tparam NamedParameters a sequence of named parameters
  * \param tm the mesh
- * \param meridians, longitudes receive a closed loop of halfedges for each handle, in the same order; the two of a handle
- *   begin at the vertex that they share
+ * \param meridians, longitudes receive a closed loop of halfedges for each handle, in the same order; the two of a
+ *   handle begin at the vertex that they share
  * \param np optional:
  *   - `generator_options` (a `Generator_options`; its vertices are numbered in the order of `vertices(tm)`)
  *   - `field_map`, `vertex_weight_map` as for `cut_to_disc()`, and all maps that it fills but the field
@@ -147,8 +147,8 @@ Homology_basis shortest_basis(TriangleMesh& tm, OutputIterator loops,
  * \tparam NamedParameters a sequence of named parameters
  * \param tm a connected triangle mesh, oriented outwards or inwards
  * \param loops closed walks of halfedges, such as those of `generators()`
- * \param classes receives one class a loop; `Loop_class::UNKNOWN` if the mesh has a boundary, meets itself or has a face
- *   without area
+ * \param classes receives one class a loop; `Loop_class::UNKNOWN` if the mesh has a boundary, meets itself or has a
+ *   face without area
  * \param np optional: `vertex_point_map` (a `ReadablePropertyMap`; default: `get(CGAL::vertex_point, tm)`)
  * \throws Invalid_input_error if a halfedge has no face
  * \par Complexity
@@ -176,8 +176,8 @@ void handle_or_tunnel(const TriangleMesh& tm, const LoopRange& loops, OutputIter
  * \param tm a connected triangle mesh
  * \param loops closed walks of halfedges that visit no vertex twice and no vertex in common
  * \param tightened receives the loops, in the same order, simple and disjoint
- * \param np optional: `tighten_options` (a `Tighten_options`); `vertex_point_map`, `geom_traits`, `visitor`, and the maps
- *   of `cut_to_disc()` but the field
+ * \param np optional: `tighten_options` (a `Tighten_options`); `vertex_point_map`, `geom_traits`, `visitor`, and the
+ *   maps of `cut_to_disc()` but the field
  * \returns the lengths before and after; its vertices have other numbers than those of `tm`
  * \throws Invalid_input_error, Cancelled as that function. The mesh is not touched then.
  */

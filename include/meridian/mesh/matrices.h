@@ -23,8 +23,8 @@ namespace meridian {
  * \returns a surface made of matrices, as libigl has them
  * \param V an n x 3 matrix of coordinates
  * \param F an m x 3 matrix of vertex numbers from 0, counterclockwise
- * \throws Invalid_input_error if a matrix has not three columns, a number is not that of a row of `V`, or a coordinate is
- *   not finite; if a vertex has no face, or faces that form several fans
+ * \throws Invalid_input_error if a matrix has not three columns, a number is not that of a row of `V`, or a coordinate
+ *   is not finite; if a vertex has no face, or faces that form several fans
  * \pre each edge has one or two faces, turned alike: see `examine_surface()` for input that may be anything
  * \par Complexity
  * \f$ O(n \log n) \f$

@@ -34,10 +34,10 @@ struct Family_member
  *
  * cut graphs of one connected surface, all different, each found and recounted when it is asked for: an input range.
  *
- * The paper's point is that there is not one cut graph but a family (\cite patane2007, section 3). The first member is the
- * cut with the options given. Then fields, preferences, levels and methods change; then a harmonic field runs between
- * other and other pairs of vertices that are spread over the surface. A cut that was found before is left out; a choice
- * that does not suit the surface too.
+ * The paper's point is that there is not one cut graph but a family (\cite patane2007, section 3). The first member is
+ * the cut with the options given. Then fields, preferences, levels and methods change; then a harmonic field runs
+ * between other and other pairs of vertices that are spread over the surface. A cut that was found before is left out;
+ * a choice that does not suit the surface too.
  *
  * \code
  * for (const Family_member& member : Cut_family(surface, 16)) { ... member.cut.length ... }

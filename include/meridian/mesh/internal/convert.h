@@ -72,8 +72,8 @@ std::vector<typename boost::graph_traits<TriangleMesh>::vertex_descriptor> verti
   return all;
 }
 
-// The halfedges of a mesh in the order of its surface: halfedge k of a face leaves its corner k, so that corners are the
-// targets from the face's own halfedge on.
+// The halfedges of a mesh in the order of its surface: halfedge k of a face leaves its corner k, so that corners are
+// the targets from the face's own halfedge on.
 template <class TriangleMesh>
 std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges_of(const TriangleMesh& tm)
 {

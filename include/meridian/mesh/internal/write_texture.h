@@ -16,8 +16,8 @@ namespace meridian {
 
 namespace internal {
 
-// Writes, for each halfedge of a face, the coordinates of its target in that face. `triangles` are the faces of the mesh
-// in its order, with the vertices that `at` places.
+// Writes, for each halfedge of a face, the coordinates of its target in that face. `triangles` are the faces of the
+// mesh in its order, with the vertices that `at` places.
 template <class TriangleMesh, class HalfedgeUVMap>
 void write_texture(const TriangleMesh& tm, const std::vector<std::array<Index, 3>>& triangles,
                    const std::vector<Plane_point>& at, HalfedgeUVMap uv)
