@@ -4,8 +4,8 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/field/Node_order.h>
 #include <meridian/field/critical_points.h>
+#include <meridian/field/curved_vertices.h>
 #include <meridian/field/edge_weights.h>
-#include <meridian/field/eigenfunctions.h>
 #include <meridian/field/intrinsic_delaunay.h>
 #include <meridian/field/solve_field.h>
 #include <meridian/field/solve_harmonic_field.h>

@@ -5,8 +5,8 @@
 #include <meridian/base/vectors.h>
 #include <meridian/field/Laplace_system.h>
 #include <meridian/field/Scalar_field.h>
+#include <meridian/field/curved_vertices.h>
 #include <meridian/field/edge_weights.h>
-#include <meridian/field/eigenfunctions.h>
 #include <meridian/field/order_surface.h>
 #include <meridian/field/solve_field.h>
 #include <meridian/surface/Closed_model.h>

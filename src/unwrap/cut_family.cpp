@@ -5,7 +5,7 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/field/Field.h>
-#include <meridian/field/eigenfunctions.h>
+#include <meridian/field/curved_vertices.h>
 #include <meridian/proof/verify_cut.h>
 #include <meridian/result/recount.h>
 #include <meridian/surface/Closed_model.h>

@@ -6,6 +6,7 @@
 #include <meridian/curves/sleeve.h>
 #include <meridian/field/Scalar_field.h>
 #include <meridian/field/adapt_solver.h>
+#include <meridian/field/curved_vertices.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/field/eigenfunctions.h>
 #include <meridian/field/geodesic_distance.h>

@@ -54,7 +54,8 @@ using Mesh_types = boost::mpl::list<Mesh>;
 
 template <class TriangleMesh> constexpr double precision = 1e-12; // of points that are written
 #ifdef MERIDIAN_HAS_OPENMESH
-template <> constexpr double precision<OpenMesh::PolyMesh_ArrayKernelT<In_double>> = 1e-6; // CGAL rounds to float there
+template <>
+inline constexpr double precision<OpenMesh::PolyMesh_ArrayKernelT<In_double>> = 1e-6; // CGAL rounds to float there
 #endif
 
 template <class TriangleMesh> TriangleMesh build_mesh(const meridian::Triangle_surface& s)
