@@ -64,6 +64,28 @@ BOOST_AUTO_TEST_CASE(new_points_of_an_exact_kernel_lie_on_the_mesh)
   BOOST_TEST((kinds[Origin::EDGE] > 0 && kinds[Origin::FACE] > 0));
 }
 
+// The kernel that is given is the one that new points are constructed in: an exact one constructs them from the mesh's
+// own coordinates, and they are rounded once.
+BOOST_AUTO_TEST_CASE(new_points_are_constructed_in_the_kernel_that_is_given)
+{
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Kernel = CGAL::Simple_cartesian<float>;
+  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+  const Triangle_surface s = sample::torus(20, 12);
+  Mesh plain = build_mesh<Kernel>(s), exact = build_mesh<Kernel>(s);
+  cut_to_disc(plain);
+  const Cut cut = cut_to_disc(exact, parameters::geom_traits(Exact()));
+  BOOST_REQUIRE(plain.number_of_vertices() == exact.number_of_vertices());
+  BOOST_TEST(exact.number_of_vertices() > 240u);
+  for (Mesh::Vertex_index v : exact.vertices())
+  {
+    BOOST_TEST(CGAL::squared_distance(plain.point(v), exact.point(v)) < 1e-10f);
+    const auto i = static_cast<Index>(v.idx());
+    if (i < 240) { BOOST_TEST((plain.point(v) == exact.point(v))); }
+  }
+  BOOST_TEST(cut.genus == 1);
+}
+
 // Known answer: CGAL's mesh with seams is the disc that this package opens, whatever the numbers are.
 BOOST_AUTO_TEST_CASE(the_edge_map_makes_a_disc_of_cgals_seam_mesh)
 {
