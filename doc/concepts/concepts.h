@@ -69,7 +69,9 @@ public:
  * \ingroup PkgMeridianConcepts
  *
  * what one may replace of a cut without writing a method: given by the named parameter `cut_traits`, or by
- * `meridian::with_traits()`. It is copied. No topology rests on what the functions return.
+ * `meridian::with_traits()`. It is copied. No topology rests on what the functions return. All three are needed: derive
+ * from `meridian::Default_cut_traits` to replace one. Methods that have no loops to prefer, no ways along edges or no
+ * level lines do not ask for them.
  *
  * Models: `meridian::Default_cut_traits`.
  */
@@ -113,7 +115,13 @@ class RunVisitor
  * triangle is written. For each system one is made, whose `factor()` is called once and whose `linear_solver()` as
  * often as is needed.
  *
- * Models: `CGAL::Eigen_solver_traits` (`own_solver.cpp` is an example).
+ * With `meridian::Weights::MEAN_VALUE` systems are not symmetric: a Cholesky factorization cannot solve them, and the
+ * field is refused.
+ *
+ * Models: `CGAL::Eigen_solver_traits` of Eigen's direct solvers, and of its iterative ones with a preconditioner
+ * (`own_solver.cpp` is an example). CGAL's default, without a preconditioner, has no `factor()` and is none. Compile
+ * the program for the same vectors as the library: with `-march=native` in one of them alone, Eigen aligns memory in
+ * two ways.
  */
 class SparseSolverTraits
 {};

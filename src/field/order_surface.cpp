@@ -172,8 +172,19 @@ private:
       const Weighted_graph joined = make_intrinsic_delaunay_graph(s);
       return solve_harmonic_field(s, g, joined.graph, joined.weights, prescribed, solvers.symmetric);
     }
-    return solve_harmonic_field(s, g, edge_weights(s, field.weights), prescribed,
-                                field.weights == Weights::MEAN_VALUE ? solvers.general : solvers.symmetric);
+    const bool is_symmetric = field.weights != Weights::MEAN_VALUE;
+    Scalar_field solved = solve_harmonic_field(s, g, edge_weights(s, field.weights), prescribed,
+                                               is_symmetric ? solvers.symmetric : solvers.general);
+    for (Index a = 0; a < g.number_of_nodes && !is_symmetric; ++a)
+    {
+      if (!(solved(a) > -1e-3 && solved(a) < 1 + 1e-3))
+      {
+        throw Solver_error(
+          "the field leaves the values of its extrema, which positive weights rule out: mean-value weights "
+          "need a solver for unsymmetric systems");
+      }
+    }
+    return solved;
   }
 
   const Triangle_surface& m_root;

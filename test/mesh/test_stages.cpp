@@ -147,6 +147,18 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_harmonic_field_lies_between_its_extrema, Mesh, M
   harmonic_field(tm, Some{all[0]}, Some{all[100]}, into(own), parameters::sparse_linear_solver(Counting_solver()));
   BOOST_TEST(Counting_solver::solved > before);
   for (auto v : all) { BOOST_TEST(std::abs(field[v] - own[v]) < 1e-9); }
+  using Matrix = CGAL::Eigen_sparse_matrix<double>::EigenType;
+  using Iterative = CGAL::Eigen_solver_traits<
+    Eigen::BiCGSTAB<Matrix, Eigen::IncompleteLUT<double>>>; // goes on reading the matrix while it solves
+  harmonic_field(tm, Some{all[0]}, Some{all[100]}, into(own), parameters::sparse_linear_solver(Iterative()));
+  for (auto v : all) { BOOST_TEST(std::abs(field[v] - own[v]) < 1e-6); }
+  BOOST_CHECK_THROW(
+    harmonic_field(tm, Some{all[0]}, Some{all[100]}, into(own),
+                   parameters::sparse_linear_solver(Counting_solver()).laplacian_weights(Weights::MEAN_VALUE)),
+    Solver_error); // it takes the matrix for symmetric
+  harmonic_field(tm, Some{all[0]}, Some{all[100]}, into(own),
+                 parameters::sparse_linear_solver(Iterative()).laplacian_weights(Weights::MEAN_VALUE));
+  for (auto v : all) { BOOST_TEST((own[v] > -1e-6 && own[v] < 1 + 1e-6)); }
   harmonic_field(tm, Some(), Some(), into(distant), parameters::laplacian_weights(Weights::COTANGENT));
   BOOST_TEST(critical_points(tm, into(distant), CGAL::Emptyset_iterator()).saddles == 2);
   BOOST_CHECK_THROW(harmonic_field(tm, Some(), Some{all[1]}, into(field)), Invalid_input_error);
@@ -335,7 +347,21 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_mesh_is_opened_along_an_edge_map, Mesh, Mesh_typ
   {
     auto tm = build_mesh<Mesh>(s);
     const Edge_marks<Mesh> is_cut(tm);
-    const Cut cut = cut_to_disc(tm, parameters::edge_is_constrained_map(is_cut));
+    std::vector<Mesh_curve<Mesh>> curves;
+    const Cut cut =
+      cut_to_disc(tm, parameters::edge_is_constrained_map(is_cut).curve_output_iterator(std::back_inserter(curves)));
+    std::set<Halfedge_of<Mesh>> on_curves; // they are the cut graph
+    BOOST_TEST(curves.size() == cut.curves.size());
+    for (const auto& c : curves)
+    {
+      if (c.is_closed) { BOOST_TEST(is_simple_loop(tm, c.halfedges)); }
+      for (std::size_t i = 0; i + 1 < c.halfedges.size(); ++i)
+      {
+        BOOST_TEST((target(c.halfedges[i], tm) == source(c.halfedges[i + 1], tm)));
+      }
+      for (auto h : c.halfedges) { on_curves.insert(is_cut.side(edge(h, tm))); }
+    }
+    BOOST_TEST((on_curves == is_cut.marked()));
     Mesh disc;
     std::vector<std::pair<Vertex_of<Mesh>, Vertex_of<Mesh>>> pairs;
     std::vector<std::pair<typename boost::graph_traits<Mesh>::face_descriptor,
@@ -430,7 +456,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_cut_is_verified_from_the_mesh_before_and_after, 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_cut_heeds_its_visitor_and_its_solver, Mesh, Mesh_types)
 {
   const auto s = sample::torus(16, 8);
-  for (const Stage stage : {Stage::FIELD, Stage::LINKS, Stage::OPEN})
+  for (const Stage stage : {Stage::FIELD, Stage::LINKS, Stage::OPEN, Stage::VERIFY})
   {
     auto tm = build_mesh<Mesh>(s);
     Button button(stage);

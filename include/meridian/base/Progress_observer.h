@@ -15,21 +15,21 @@ namespace meridian {
 /// the stages of a cut, of a search for generators or of an unwrapping, in the order they run.
 enum class Stage
 {
-  EXTREMA,
-  FIELD,
-  ORDER,
-  CONTOURS,
-  MERIDIANS,
-  FLOW,
-  LONGITUDES,
-  TIGHTEN,
-  INSERT,
-  CLASSIFY,
-  LINKS,
-  SHORTEN,
-  OPEN,
-  PARAMETERIZE,
-  VERIFY
+  EXTREMA,      ///< two vertices far apart
+  FIELD,        ///< the field is solved for
+  ORDER,        ///< vertices are ordered, and the order simplified
+  CONTOURS,     ///< level lines are traced
+  MERIDIANS,    ///< those that cut the handles are chosen
+  FLOW,         ///< flow lines are traced
+  LONGITUDES,   ///< a loop across each meridian is found
+  TIGHTEN,      ///< curves are shortened within their classes
+  INSERT,       ///< faces are divided along the curves
+  CLASSIFY,     ///< on which side of the surface curves bound
+  LINKS,        ///< boundaries are joined
+  SHORTEN,      ///< the whole cut graph is shortened
+  OPEN,         ///< the surface is opened
+  PARAMETERIZE, ///< discs are mapped into the plane
+  VERIFY        ///< the result is recounted
 };
 
 /// the names of `Stage`.
@@ -64,7 +64,8 @@ public:
   /// `done` grows from 0 to 1; told by the links, the longest loop
   virtual void stage_progressed(Stage, double /*done*/) {}
   virtual void stage_finished(Stage) {} ///< not called if the stage throws
-  /// asked between steps. \returns `false` to end the run with `Cancelled`
+  /// asked at the beginning of a stage, and within those that tell their progress; a factorization, which most of the
+  /// field is, is not interrupted. Asked in the thread that runs. \returns `false` to end the run with `Cancelled`
   virtual bool go_further() { return true; }
 };
 

@@ -5,19 +5,30 @@
 #include <meridian/field/Sparse_solver.h>
 
 #include <memory>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace meridian {
 namespace internal {
+
+template <class SolverTraits, class = void> struct Can_factor : std::false_type
+{};
+template <class SolverTraits>
+struct Can_factor<SolverTraits,
+                  std::void_t<decltype(std::declval<SolverTraits&>().factor(
+                    std::declval<typename SolverTraits::Matrix&>(), std::declval<typename SolverTraits::NT&>()))>>
+  : std::true_type
+{};
 
 template <class SolverTraits> class Adapted_solver : public Sparse_solver
 {
 public:
   bool factor(const Sparse_matrix& a) override
   {
-    typename SolverTraits::Matrix matrix(a.rows());
-    for (const Sparse_matrix::Entry& e : a.entries()) { matrix.add_coef(e.row(), e.col(), e.value()); }
-    return m_solver.factor(matrix, m_denominator);
+    m_matrix = std::make_unique<typename SolverTraits::Matrix>(a.rows());
+    for (const Sparse_matrix::Entry& e : a.entries()) { m_matrix->add_coef(e.row(), e.col(), e.value()); }
+    return m_solver.factor(*m_matrix, m_denominator);
   }
   bool solve(const std::vector<double>& right, std::vector<double>& solution) override
   {
@@ -31,6 +42,7 @@ public:
   }
 
 private:
+  std::unique_ptr<typename SolverTraits::Matrix> m_matrix; // iterative solvers go on reading it
   SolverTraits m_solver;
   typename SolverTraits::NT m_denominator = 1;
 };
@@ -43,6 +55,9 @@ private:
 ///         `Solvers::symmetric`
 template <class SolverTraits> std::unique_ptr<Sparse_solver> adapt_solver()
 {
+  static_assert(internal::Can_factor<SolverTraits>::value,
+                "the solver has no factor(): a model of SparseLinearAlgebraWithFactorTraits_d is needed, such as "
+                "CGAL::Eigen_solver_traits of one of Eigen's direct solvers");
   return std::make_unique<internal::Adapted_solver<SolverTraits>>();
 }
 

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_MESH_CUT_TO_DISC_H
 #define MERIDIAN_MESH_CUT_TO_DISC_H
 
+#include <meridian/base/Stage_runner.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/cut/cut_traits.h>
@@ -16,6 +17,7 @@
 
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -30,8 +32,10 @@ Cut cut_and_recount(const Triangle_surface& root, const TriangleMesh& tm, const 
   Cut_options options = choose_parameter(get_parameter(np, internal_np::cut_options), Cut_options());
   if_given(get_parameter(np, internal_np::cut_traits),
            [&](const auto& traits) { options = with_traits(std::move(options), traits); });
-  Cut cut = meridian::cut_to_disc(root, with_run(with_maps(std::move(options), tm, np), np));
-  const Verification recount = verify_cut(root, cut);
+  options = with_run(with_maps(std::move(options), tm, np), np);
+  Cut cut = meridian::cut_to_disc(root, options);
+  Verification recount;
+  Stage_runner{options.observer, cut.seconds}(Stage::VERIFY, [&] { recount = verify_cut(root, cut); });
   if (!recount) { throw Internal_error("cut_to_disc: the recount found " + recount.failures.front()); }
   return cut;
 }
@@ -80,6 +84,16 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
   return cut;
 }
 
+/// \ingroup PkgMeridianFaceGraph
+/// a curve of a cut graph, on the mesh.
+template <class TriangleMesh> struct Mesh_curve
+{
+  Curve_kind kind; ///< what it is
+  /// along it, in order
+  std::vector<typename boost::graph_traits<TriangleMesh>::halfedge_descriptor> halfedges;
+  bool is_closed; ///< whether the last leads back to where the first begins
+};
+
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
@@ -107,6 +121,8 @@ Cut cut_to_disc(const TriangleMesh& tm, DiscMesh& disc, const NamedParameters& n
  *   - `vertex_field_map` (a `WritablePropertyMap` from vertices to `double`) receives the field, linear in each face;
  *   - `vertex_origin_map` (the same, to `Origin`) receives where on the mesh a vertex lies, `face_origin_map` (from
  *     faces to `Index`) the number of the face that a face was part of;
+ *   - `curve_output_iterator` (an output iterator of `Mesh_curve<TriangleMesh>`) receives the curves that the graph is
+ *     made of, as halfedges of the refined mesh;
  *   - `morse_graph` (a `std::reference_wrapper` of a `Morse_graph<TriangleMesh>`) receives the quasi Morse-Smale
  *   complex of the field, on the mesh as it was.
  * \returns the cut, recounted; its vertices and faces have other numbers than those of `tm`
@@ -118,18 +134,26 @@ template <
                    int> = 0>
 Cut cut_to_disc(TriangleMesh& tm, const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<
-    CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t,
-    CGAL::internal_np::vertex_is_constrained_t, internal_np::cut_options_t, internal_np::cut_traits_t,
-    internal_np::field_map_t, internal_np::vertex_weight_map_t, internal_np::vertex_field_map_t,
-    internal_np::vertex_origin_map_t, internal_np::face_origin_map_t, internal_np::morse_graph_t,
-    CGAL::internal_np::geom_traits_t, CGAL::internal_np::sparse_linear_solver_t, CGAL::internal_np::visitor_t>(np);
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t,
+                             CGAL::internal_np::vertex_is_constrained_t, internal_np::cut_options_t,
+                             internal_np::cut_traits_t, internal_np::field_map_t, internal_np::vertex_weight_map_t,
+                             internal_np::vertex_field_map_t, internal_np::vertex_origin_map_t,
+                             internal_np::face_origin_map_t, internal_np::morse_graph_t,
+                             internal_np::curve_output_iterator_t, CGAL::internal_np::geom_traits_t,
+                             CGAL::internal_np::sparse_linear_solver_t, CGAL::internal_np::visitor_t>(np);
   const Triangle_surface root = internal::read_surface(tm, np);
   Cut cut = internal::cut_and_recount(root, tm, np);
   internal::if_given(CGAL::parameters::get_parameter(np, internal_np::morse_graph), [&](auto graph) {
     internal::fill_morse_graph(internal::order_again(root, tm, np), tm, graph.get());
   });
-  internal::refine_in_place(root, cut.surface, cut.field, tm, np);
+  const auto refiner = internal::refine_in_place(root, cut.surface, cut.field, tm, np);
+  internal::if_given(CGAL::parameters::get_parameter(np, internal_np::curve_output_iterator), [&](auto out) {
+    for (const Named_curve& c : cut.curves)
+    {
+      *out++ = Mesh_curve<TriangleMesh>{
+        c.kind, internal::halfedges_along(cut.surface, refiner, tm, c.vertices, c.is_closed), c.is_closed};
+    }
+  });
   return cut;
 }
 

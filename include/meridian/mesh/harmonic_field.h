@@ -14,14 +14,16 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianFaceGraph
  *
- * writes the field that is harmonic between minima and maxima, where it is 0 and 1.
+ * writes the field that is harmonic between minima and maxima, where it is 0 and 1. Along a boundary loop it is
+ * constant, without flux: the loop is one place of the field.
  *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexRange a range of vertex descriptors
  * \tparam VertexFieldMap a model of `WritablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters
  * \param tm a connected triangle mesh
- * \param minima, maxima where the field is prescribed, on different boundary loops; both empty: two vertices far apart
+ * \param minima, maxima where the field is prescribed; no vertex, and no boundary loop, has both. Both empty: two
+ *   vertices far apart
  * \param field receives the values
  * \param np optional:
  *   - `laplacian_weights` (a `Weights`; default: `Weights::POSITIVE`, with which no other vertex is an extremum)

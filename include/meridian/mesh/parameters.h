@@ -12,7 +12,7 @@
 #define MERIDIAN_FOR_EACH_PARAMETER(X) \
   X(cut_options) X(generator_options) X(basis_options) X(tighten_options) X(unwrap_options) X(map_options) \
   X(laplacian_weights) X(field_map) X(vertex_weight_map) X(vertex_field_map) X(vertex_origin_map) X(face_origin_map) \
-  X(morse_graph) X(cut_traits)
+  X(morse_graph) X(cut_traits) X(curve_output_iterator)
 // Those of CGAL's that may stand anywhere in the chain: what a caller writes, and CGAL's tag.
 #define MERIDIAN_FOR_EACH_CGAL_PARAMETER(X) \
   X(vertex_point_map, vertex_point_t) \

@@ -23,10 +23,17 @@ template <class NamedParameters> Solvers solvers_of(const NamedParameters& np, S
   return solvers;
 }
 
-template <class Observer> Progress_observer* address_of(Observer* observer) { return observer; }
+template <class Observer> Progress_observer* address_of(Observer* const& observer) { return observer; }
 template <class Observer> Progress_observer* address_of(const std::reference_wrapper<Observer>& observer)
 {
   return &observer.get();
+}
+
+template <class Other> Progress_observer* address_of(const Other&)
+{
+  static_assert(std::is_void_v<Other>,
+                "a visitor is given as std::ref(observer) or &observer, so that it is not copied");
+  return nullptr;
 }
 
 // The observer that named parameters ask for, or another.
