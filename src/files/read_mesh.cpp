@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "read_mesh.h"
 
+#include "Mesh_format.h"
+
 #include "formats.h"
 
 #include <meridian/base/Polygon_soup.h>
@@ -47,35 +49,38 @@ bool is_packed(const std::string& path)
          && std::tolower(static_cast<unsigned char>(path[n - 1])) == 'z';
 }
 
-std::string format_of(const std::string& path)
+namespace {
+
+using Parse_mesh = Polygon_soup (*)(const std::string&);
+
+Parse_mesh parser_of(Mesh_format format)
 {
-  std::string name = path.substr(path.find_last_of("/\\") + 1);
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (is_packed(name)) { name.resize(name.size() - 3); }
-  const std::size_t dot = name.find_last_of('.');
-  return dot == std::string::npos ? "" : name.substr(dot + 1);
+  switch (format)
+  {
+  case Mesh_format::OFF: return read_off;
+  case Mesh_format::OBJ: return read_obj;
+  case Mesh_format::STL: return read_stl;
+  case Mesh_format::PLY: return read_ply;
+  case Mesh_format::VTP: return read_vtp;
+  }
+  return nullptr;
 }
+
+} // namespace
 
 Polygon_soup read_mesh(const std::string& path)
 {
-  const std::string format = format_of(path);
-  using Reader = Polygon_soup (*)(const std::string&);
-  const Reader reader = format == "off"   ? read_off
-                        : format == "obj" ? read_obj
-                        : format == "stl" ? read_stl
-                        : format == "ply" ? read_ply
-                        : format == "vtp" ? read_vtp
-                                          : nullptr;
-  if (!reader)
+  const auto format = format_of(path);
+  if (!format)
   {
-    throw File_error(path + ": unknown format '" + format + "'; use OFF, OBJ, STL, PLY or VTP, or gzip of these");
+    throw File_error(path + ": unknown format '" + ending_of(path) + "'; use "
+                     + list_formats([](Mesh_format) { return true; }) + ", or gzip of these");
   }
   const std::string bytes = read_bytes(path);
   if (bytes.empty()) { throw File_error(path + ": the file is empty"); }
   try
   {
-    return reader(bytes);
+    return parser_of(*format)(bytes);
   }
   catch (const File_error& e)
   {

@@ -28,9 +28,6 @@ std::string read_bytes(const std::string& path);
 // Whether the name ends with ".gz".
 bool is_packed(const std::string& path);
 
-// The ending of a path in lower case, without ".gz".
-std::string format_of(const std::string& path);
-
 } // namespace files
 } // namespace meridian
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write_mesh.h"
 
+#include "Mesh_format.h"
+
 #include "Scanner.h"
 #include "Text.h"
 #include "read_mesh.h"
@@ -96,16 +98,23 @@ using Formatter = std::string (*)(const Result_mesh&, const std::vector<Face_val
 
 Formatter formatter(const std::string& path)
 {
-  const std::string format = format_of(path);
-  if (format == "off") { return format_off; }
-  if (format == "obj") { return format_obj; }
-  if (format == "ply") { return format_ply; }
-  if (format == "vtp") { return format_vtp; }
-  if (format == "stl")
-    throw File_error(path
-                     + ": STL cannot hold a cut, because it stores no vertices and its readers weld equal points; use "
-                       "OFF, OBJ, PLY or VTP");
-  throw File_error(path + ": unknown format '" + format + "'; use OFF, OBJ, PLY or VTP, or gzip of these");
+  const auto format = format_of(path);
+  if (!format)
+  {
+    throw File_error(path + ": unknown format '" + ending_of(path) + "'; use " + list_formats(holds_vertices)
+                     + ", or gzip of these");
+  }
+  switch (*format)
+  {
+  case Mesh_format::OFF: return format_off;
+  case Mesh_format::OBJ: return format_obj;
+  case Mesh_format::PLY: return format_ply;
+  case Mesh_format::VTP: return format_vtp;
+  case Mesh_format::STL: break;
+  }
+  throw File_error(path
+                   + ": STL cannot hold a cut, because it stores no vertices and its readers weld equal points; use "
+                   + list_formats(holds_vertices));
 }
 
 } // namespace
@@ -151,7 +160,7 @@ std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<R
 
 std::vector<Result_curve> read_curves(const std::string& path)
 {
-  if (format_of(path) != "obj") { throw File_error(path + ": curves are line elements of OBJ files"); }
+  if (format_of(path) != Mesh_format::OBJ) { throw File_error(path + ": curves are line elements of OBJ files"); }
   const std::string bytes = read_bytes(path);
   Scanner in(bytes, path.c_str(), '#');
   std::vector<Result_curve> curves;

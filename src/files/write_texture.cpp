@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write_texture.h"
 
+#include "Mesh_format.h"
 #include "Scanner.h"
 #include "Text.h"
 #include "read_mesh.h"
@@ -139,7 +140,10 @@ std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
 void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plane_point>& texture,
                     std::vector<std::int32_t>& vertex_of, std::int32_t& vertices)
 {
-  if (format_of(path) != "obj") { throw File_error(path + ": meshes with texture coordinates are OBJ files"); }
+  if (format_of(path) != Mesh_format::OBJ)
+  {
+    throw File_error(path + ": meshes with texture coordinates are OBJ files");
+  }
   const std::string bytes = read_bytes(path);
   Scanner in(bytes, path.c_str(), '#');
   std::vector<Point> points;

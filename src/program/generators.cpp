@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "end_run.h"
 #include "field_arguments.h"
+#include "files/Mesh_format.h"
 #include "files/Output_files.h"
 #include "files/write_mesh.h"
 #include "options.h"
@@ -218,7 +219,7 @@ Outcome find_loops(const Generator_arguments& arguments, const Loaded_mesh& load
 
 int run_generators(const Generator_arguments& arguments)
 {
-  if (files::format_of(arguments.out) != "obj")
+  if (files::format_of(arguments.out) != files::Mesh_format::OBJ)
   {
     throw Usage_error(arguments.out + ": generators are written as OBJ, with a line element for each curve");
   }

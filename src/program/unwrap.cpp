@@ -2,6 +2,7 @@
 #include "arguments.h"
 #include "cut.h"
 #include "end_run.h"
+#include "files/Mesh_format.h"
 #include "files/png.h"
 #include "files/write_layout.h"
 #include "files/write_mesh.h"
@@ -49,7 +50,7 @@ std::string beside(const Unwrap_arguments& a, const char* ending)
 
 void check_unwrap_arguments(const Unwrap_arguments& a)
 {
-  if (files::format_of(a.out) != "obj")
+  if (files::format_of(a.out) != files::Mesh_format::OBJ)
   {
     throw files::File_error(a.out
                             + ": texture coordinates are written to OBJ files; end the name with .obj or .obj.gz");
@@ -62,9 +63,9 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(is_free && a.border != Map_border::FREE, "this --parameterization has a free border; leave out --border");
   forbid(a.has_border && a.border == Map_border::FREE && !takes(a.parameterization, Map_border::FREE),
          "this --parameterization needs a border; --border circle or square");
-  forbid(!a.texture.empty() && files::format_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
-  const std::string format = files::format_of(a.distortion);
-  forbid(!a.distortion.empty() && format != "ply" && format != "vtp",
+  forbid(!a.texture.empty() && files::ending_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
+  const auto format = files::format_of(a.distortion);
+  forbid(!a.distortion.empty() && !(format && files::holds_face_values(*format)),
          "--distortion writes PLY or VTP, which can hold values of faces");
   std::vector<std::string> written{a.out,       files::map_path(a.out), a.report, a.view, a.curves, a.layout, a.texture,
                                    a.distortion};

@@ -1,16 +1,19 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include "files/Mesh_format.h"
 #include "files/Output_files.h"
 #include "files/read_mesh.h"
 #include "files/write_mesh.h"
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
+#include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 
 #include <zlib.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -319,4 +322,33 @@ BOOST_FIXTURE_TEST_CASE(files_that_are_not_committed_leave_nothing, Folder)
   BOOST_CHECK_THROW(out.add((path / "no" / "such" / "folder").string(), "x"), files::File_error);
   out.commit();
   BOOST_TEST(files::read_bytes(old) == "new");
+}
+
+// Every format is known by its ending, whatever its case, packed or not; those that can hold a result read it back.
+BOOST_FIXTURE_TEST_CASE(formats_are_known_by_their_endings, Folder)
+{
+  Result_mesh triangle;
+  triangle.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  triangle.faces = {{0, 1, 2}};
+  for (const files::Mesh_format f : all<files::Mesh_format>())
+  {
+    const std::string ending = name_of(f);
+    BOOST_TEST((files::format_of("a.b/endings." + ending) == f), ending);
+    BOOST_TEST(
+      (files::format_of("A." + std::string(1, static_cast<char>(std::toupper(ending[0]))) + ending.substr(1) + ".GZ")
+       == f),
+      ending);
+    const std::string out = "endings." + ending;
+    if (!files::holds_vertices(f))
+    {
+      BOOST_CHECK_THROW(files::check_writable_format(out), files::File_error);
+      continue;
+    }
+    std::ofstream(out, std::ios::binary) << files::format_mesh(out, triangle);
+    BOOST_TEST((files::read_mesh(out).points == triangle.points), ending);
+  }
+  for (const char* other : {"obj", "a.b/obj", "a.objx", "a.obj.zip", "a.", ""})
+  {
+    BOOST_TEST(!files::format_of(other).has_value(), other);
+  }
 }
