@@ -34,11 +34,6 @@ template <class Part, class From, class To> void carry_part(const From& from, To
   }
 }
 
-template <class Method, class = void> struct Has_source : std::false_type
-{};
-template <class Method> struct Has_source<Method, std::void_t<decltype(Method::source)>> : std::true_type
-{};
-
 // Takes over what two methods have in common.
 template <class From, class To> void carry(const From& from, To& to)
 {
@@ -48,7 +43,7 @@ template <class From, class To> void carry(const From& from, To& to)
     carry_part<Field_options>(from, to);
     carry_part<Chosen_extrema>(from, to);
     carry_part<Meridian_options>(from, to);
-    if constexpr (Has_source<From>::value && Has_source<To>::value) { to.source = from.source; }
+    if constexpr (internal::Has_source<From>::value && internal::Has_source<To>::value) { to.source = from.source; }
   }
 }
 

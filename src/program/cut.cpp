@@ -41,11 +41,6 @@ double since(std::chrono::steady_clock::time_point begin)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// Whether a method begins at a vertex that one may name.
-template <class Method> constexpr bool has_source = false;
-template <> constexpr bool has_source<By_distance> = true;
-template <> constexpr bool has_source<By_tree_cotree> = true;
-
 // What a method makes use of.
 struct Method_traits
 {
@@ -58,7 +53,7 @@ Method_traits traits_of(const Cut_method& method)
     [](const auto& m) -> Method_traits {
       using Method = std::decay_t<decltype(m)>;
       return {std::is_base_of_v<Field_options, Method>, std::is_base_of_v<Chosen_extrema, Method>,
-              std::is_base_of_v<Meridian_options, Method>, has_source<Method>};
+              std::is_base_of_v<Meridian_options, Method>, internal::Has_source<Method>::value};
     },
     method);
 }
@@ -93,7 +88,7 @@ Cut_options options_for(const Cut_arguments& a, const Loaded_mesh& loaded, std::
       {
         static_cast<Meridian_options&>(method) = meridian_options(a, loaded, place);
       }
-      if constexpr (has_source<Method>) { method.source = a.has_from ? find_local(a.from, c) : -1; }
+      if constexpr (internal::Has_source<Method>::value) { method.source = a.has_from ? find_local(a.from, c) : -1; }
     },
     o.method);
   o.links.source = a.has_source ? find_local(a.source, c) : -1;

@@ -12,6 +12,7 @@
 #include <meridian/cut/By_tree_cotree.h>
 #include <meridian/field/edge_weights.h>
 
+#include <type_traits>
 #include <variant>
 
 namespace meridian {
@@ -28,6 +29,16 @@ namespace meridian {
 /// To add one is to write its file and its line here. `By_own_method` takes one that is not of the library.
 using Cut_method = std::variant<By_contours, By_generators, By_flow_lines, By_distance, By_tree_cotree,
                                 By_removing_faces, By_own_method>;
+
+namespace internal {
+
+// Whether a method begins at a vertex that one may name, its `source`.
+template <class Method, class = void> struct Has_source : std::false_type
+{};
+template <class Method> struct Has_source<Method, std::void_t<decltype(Method::source)>> : std::true_type
+{};
+
+} // namespace internal
 
 /// \ingroup PkgMeridianCut
 /// \param method the method
