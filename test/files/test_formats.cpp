@@ -338,7 +338,7 @@ BOOST_FIXTURE_TEST_CASE(formats_are_known_by_their_endings, Folder)
       (files::format_of("A." + std::string(1, static_cast<char>(std::toupper(ending[0]))) + ending.substr(1) + ".GZ")
        == f),
       ending);
-    const std::string out = "endings." + ending;
+    const std::string out = (path / ("endings." + ending)).string();
     if (!files::holds_vertices(f))
     {
       BOOST_CHECK_THROW(files::check_writable_format(out), files::File_error);

@@ -359,14 +359,13 @@ BOOST_FIXTURE_TEST_CASE(the_manual_and_the_shell_know_every_choice, Fixture)
   BOOST_TEST(contains(tables.out, "| `tree-cotree` | "));
   BOOST_TEST(contains(manual, tables.out), "doc/manual.md must hold what `meridian completion --markdown` prints");
   const auto complete = [&](const std::string& words, int word) {
-    std::ofstream script("complete.sh");
-    script << "source <(" << MERIDIAN_PROGRAM << " completion)\nCOMP_WORDS=(meridian " << words
-           << ")\nCOMP_CWORD=" << word << "\n_meridian\necho \"${COMPREPLY[@]}\" >completed\n";
-    script.close();
-    BOOST_TEST(std::system("bash complete.sh") == 0);
-    std::ifstream completed("completed");
+    const std::string script = (folder() / "complete.sh").string(), completed = (folder() / "completed").string();
+    std::ofstream(script) << "source <(" << MERIDIAN_PROGRAM << " completion)\nCOMP_WORDS=(meridian " << words
+                          << ")\nCOMP_CWORD=" << word << "\n_meridian\necho \"${COMPREPLY[@]}\" >" << completed << '\n';
+    BOOST_TEST(std::system(("bash " + script).c_str()) == 0);
+    std::ifstream in(completed);
     std::string line;
-    std::getline(completed, line);
+    std::getline(in, line);
     return line;
   };
   BOOST_TEST(complete("", 1) == "info cut unwrap compare generators verify");
