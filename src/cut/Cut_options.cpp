@@ -21,11 +21,6 @@ void forbid(bool is_wrong, const std::string& message)
   if (is_wrong) { throw Invalid_input_error(message); }
 }
 
-bool moves_onto_edges(const Cut_method& method)
-{
-  return std::visit([](const auto& m) { return m.moves_onto_edges; }, method);
-}
-
 template <class Part, class From, class To> void carry_part(const From& from, To& to)
 {
   if constexpr (std::is_base_of_v<Part, From> && std::is_base_of_v<Part, To>)

@@ -29,8 +29,8 @@ void link(const Triangle_surface& root, const Cut_options& options, const std::v
           const Stage_runner& run, Cut& cut)
 {
   if (cuts_edges(options.method)) { return; }
-  const bool moves_onto_edges = std::visit([](const auto& m) { return m.moves_onto_edges; }, options.method);
-  if (options.on_edges && options.tightening != Tightening::GRAPH && (cut.genus == 0 || moves_onto_edges))
+  if (options.on_edges && options.tightening != Tightening::GRAPH
+      && (cut.genus == 0 || moves_onto_edges(options.method)))
   {
     add_curves(cut, Curve_kind::LINK, link_boundaries_on_edges(cut.surface, options.links.source));
     return;

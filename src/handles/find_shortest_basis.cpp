@@ -259,8 +259,7 @@ Homology_basis find_shortest_basis(const Triangle_surface& root, const Basis_opt
   Homology_basis basis;
   const Stage_runner run{options.observer, basis.seconds};
   basis.boundary_loops = static_cast<int>(boundary_loops(root).size());
-  const int characteristic = root.number_of_vertices() - root.number_of_edges() + root.number_of_faces();
-  basis.genus = (2 - characteristic - basis.boundary_loops) / 2;
+  basis.genus = genus(root);
   basis.smallest_angle_before = basis.smallest_angle_after = smallest_angle(root);
   basis.surface = Refined_surface(root);
   if (basis.genus == 0) { return basis; }

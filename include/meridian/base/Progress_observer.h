@@ -51,7 +51,7 @@ template <> struct Names<Stage>
     {Stage::OPEN, "open", "the surface is opened"},
     {Stage::PARAMETERIZE, "parameterize", "discs are mapped into the plane"},
     {Stage::VERIFY, "verify", "the result is recounted"},
-  }}; ///< one row a value
+  }};
 };
 
 /// \ingroup PkgMeridianProgress

@@ -36,8 +36,7 @@ public:
     Index place;    ///< the gap of its edge
     double t;       ///< the fraction along the edge
   };
-  /// a stretch of an edge between two crossings, or between a crossing and an end. Place `k` has `k` crossings before
-  /// it.
+  /// a stretch of an edge between two crossings, or a crossing and an end. Place `k` has `k` crossings before it.
   struct Gap
   {
     Index edge;  ///< the edge
@@ -61,9 +60,7 @@ public:
   {}
   Normal_curves(Triangle_surface&& surface, Index curves) = delete;
 
-  /// \name Curves and their crossings, in order
-  /// @{
-
+  // Curves and their crossings, in order
   /// \returns the surface
   const Triangle_surface& surface() const { return m_store.surface(); }
   /// \returns how many numbers of curves there are
@@ -82,11 +79,8 @@ public:
   const std::vector<Id>& on(Index edge) const { return m_store.on(edge); }
   /// \param curve a curve \returns its crossings, in order
   std::vector<Id> crossings(Index curve) const { return m_store.crossings(curve); }
-  /// @}
 
-  /// \name Ends of open curves
-  /// @{
-
+  // Ends of open curves
   /// \param e an end \returns its vertex
   Index vertex(const End& e) const { return m_store.vertex(e); }
   /// \param v a vertex \returns the curves' ends there, in no order that means anything
@@ -101,7 +95,6 @@ public:
   Index edge_along(Index curve) const { return m_store.edge_along(curve); }
   /// \param edge an edge \returns whether nothing crosses it and nothing runs along it
   bool is_free(Index edge) const { return m_store.is_free(edge); }
-  /// @}
 
   /// \returns how many pairs of partners there may be
   Index number_of_pairs() const { return static_cast<Index>(m_meeting.size()); }
@@ -119,26 +112,19 @@ public:
   /// takes a curve away. \param curve its number
   void remove(Index curve);
 
-  /// \name Changes of course, as `Crossing_store` describes them
-  /// @{
-
+  // Changes of course, as `Crossing_store` describes them
   /// \param x a crossing \param t its new fraction along its edge
   void move(Id x, double t) { m_store.move(x, t); }
-  /// \param first, last crossings of one curve \param halfedges what is crossed between them instead
-  /// \param at_target whether next to the targets of these, or to their sources
+  /// \param first, last crossings of a curve \param halfedges crossed instead \param at_target next to which ends
   void reroute(Id first, Id last, const std::vector<Index>& halfedges, bool at_target);
-  /// \param end an end \param to where it goes \param halfedges what the curve crosses from there, to what is left of
-  ///   it
-  /// \param around the vertex that these crossings are near to
+  /// \param end an end \param to where it goes \param halfedges crossed from there \param around a vertex near them
   void extend(const End& end, Index to, const std::vector<Index>& halfedges, Index around);
   /// \param end an end, whose crossings that only lead round its vertex are left out
   void trim(const End& end) { m_store.trim(end); }
-  /// \param from, to ends of two curves, which become one \param halfedges what is crossed between them
-  /// \returns the curve
+  /// \param from, to ends of two curves \param halfedges crossed between them \returns the one curve
   Index splice(const End& from, const End& to, const std::vector<Index>& halfedges);
   /// \param x a crossing \param v the vertex that its curve is divided at \returns the two curves
   std::array<Index, 2> split(Id x, Index v) { return m_store.split(x, v); }
-  /// @}
 
 private:
   // Appends the crossings of a curve that has none, and joins them in order.

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_CUT_BY_DISTANCE_H
 #define MERIDIAN_CUT_BY_DISTANCE_H
 
-#include <meridian/base/names.h>
+#include <meridian/base/choices.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/Field.h>
 #include <meridian/handles/preference.h>

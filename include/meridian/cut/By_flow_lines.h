@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_CUT_BY_FLOW_LINES_H
 #define MERIDIAN_CUT_BY_FLOW_LINES_H
 
-#include <meridian/base/names.h>
+#include <meridian/base/choices.h>
 #include <meridian/field/Field.h>
 
 namespace meridian {

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_CUT_BY_REMOVING_FACES_H
 #define MERIDIAN_CUT_BY_REMOVING_FACES_H
 
-#include <meridian/base/names.h>
+#include <meridian/base/choices.h>
 #include <meridian/surface/Triangle_surface.h>
 
 namespace meridian {

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_CUT_BY_TREE_COTREE_H
 #define MERIDIAN_CUT_BY_TREE_COTREE_H
 
-#include <meridian/base/names.h>
+#include <meridian/base/choices.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Edge_metric.h>
 #include <meridian/surface/Triangle_surface.h>

@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_CUT_CUT_METHOD_H
 #define MERIDIAN_CUT_CUT_METHOD_H
 
-#include <meridian/base/names.h>
+#include <meridian/base/choices.h>
 #include <meridian/cut/By_contours.h>
 #include <meridian/cut/By_distance.h>
 #include <meridian/cut/By_flow_lines.h>
@@ -46,6 +46,14 @@ template <class Method> struct Has_source<Method, std::void_t<decltype(Method::s
 inline bool cuts_edges(const Cut_method& method)
 {
   return std::visit([](const auto& m) { return m.cuts_edges; }, method);
+}
+
+/// \ingroup PkgMeridianCut
+/// \param method the method
+/// \returns whether its curves can be moved onto edges one by one
+inline bool moves_onto_edges(const Cut_method& method)
+{
+  return std::visit([](const auto& m) { return m.moves_onto_edges; }, method);
 }
 
 /// \ingroup PkgMeridianCut

@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_FIELD_FIELD_H
 #define MERIDIAN_FIELD_FIELD_H
 
+#include <meridian/base/choices.h>
 #include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/critical_points.h>
