@@ -9,7 +9,7 @@
 
 namespace meridian {
 
-void Normal_curves::add(Index curve, const std::vector<Step>& steps)
+void Normal_curves::add(Index curve, const std::vector<Crossing>& steps)
 {
   link_new(curve, steps);
   const Id first = nearest({curve, false}), last = nearest({curve, true});
@@ -20,7 +20,7 @@ void Normal_curves::add(Index curve, const std::vector<Step>& steps)
     if (count_in_face(*this, curve, face_after(*this, x)) > 0) { set_meeting(curve, face_after(*this, x)); }
 }
 
-Index Normal_curves::add(Index from, Index to, const std::vector<Step>& steps)
+Index Normal_curves::add(Index from, Index to, const std::vector<Crossing>& steps)
 {
   const Index curve = m_store.append_curve();
   link_new(curve, steps);
@@ -51,7 +51,7 @@ Index Normal_curves::splice(const End& from, const End& to, const std::vector<In
   return m_store.splice(from, to, halfedges);
 }
 
-void Normal_curves::link_new(Index curve, const std::vector<Step>& steps)
+void Normal_curves::link_new(Index curve, const std::vector<Crossing>& steps)
 {
   std::vector<std::size_t> order(steps.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

@@ -9,7 +9,7 @@ namespace meridian {
 
 namespace internal {
 
-void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& curves, std::size_t stride)
+void add_contours(const std::vector<std::vector<Piece_crossing>>& all, Normal_curves& curves, std::size_t stride)
 {
   struct Place
   {
@@ -18,7 +18,7 @@ void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& 
   std::vector<Place> places;
   for (std::size_t c = 0; c < all.size(); ++c)
     for (std::size_t i = 0; i < all[c].size(); ++i) { places.push_back({c, i}); }
-  const auto at = [&](const Place& p) -> const Crossing& { return all[p.curve][p.position]; };
+  const auto at = [&](const Place& p) -> const Piece_crossing& { return all[p.curve][p.position]; };
   std::sort(places.begin(), places.end(), [&](const Place& p, const Place& q) { return is_before(at(p), at(q)); });
   std::vector<std::vector<double>> rank(all.size());
   for (std::size_t c = 0; c < all.size(); ++c) { rank[c].resize(all[c].size()); }
@@ -28,7 +28,7 @@ void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& 
   }
   for (std::size_t c = 0; c < all.size(); ++c)
   {
-    std::vector<Normal_curves::Step> steps;
+    std::vector<Crossing> steps;
     for (std::size_t i = 0; i < all[c].size(); ++i)
     {
       Index place = 0;

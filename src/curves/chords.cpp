@@ -111,14 +111,14 @@ bool count_in_faces(const Normal_curves& curves, std::vector<Index>& faces, std:
 
 } // namespace internal
 
-Normal_curves::Gap gap_beside(const Normal_curves& curves, Index x, bool left)
+Gap gap_beside(const Normal_curves& curves, Index x, bool left)
 {
   const Triangle_surface& s = curves.surface();
   const Index h = curves[x].halfedge, e = s.edge(h), k = curves[x].place;
   return {e, (left == (h == e)) ? k + 1 : k}; // the target of `h` is on the left
 }
 
-double middle_of(const Normal_curves& curves, const Normal_curves::Gap& g)
+double middle_of(const Normal_curves& curves, const Gap& g)
 {
   const auto& list = curves.on(g.edge);
   const double from = g.place == 0 ? 0 : curves[list[g.place - 1]].t;

@@ -164,7 +164,7 @@ Crossing_store::Curve& Crossing_store::edit_curve(Index c)
   return m_curves[c];
 }
 
-Crossing_store::Crossing& Crossing_store::edit(Id x)
+Crossing_store::Chained_crossing& Crossing_store::edit(Id x)
 {
   note([this, x, old = m_crossings[x]] { m_crossings[x] = old; });
   return m_crossings[x];
@@ -173,7 +173,7 @@ Crossing_store::Crossing& Crossing_store::edit(Id x)
 Crossing_store::Id Crossing_store::append(Index halfedge, Index curve, double t, Index place)
 {
   const Id x = static_cast<Id>(m_crossings.size());
-  m_crossings.push_back({halfedge, curve, -1, -1, t, -1});
+  m_crossings.push_back({{halfedge, -1, t}, curve, -1, -1});
   note([this] { m_crossings.pop_back(); });
   auto& list = edit_list(m_surface.edge(halfedge));
   list.insert(list.begin() + place, x);
@@ -233,7 +233,7 @@ void Crossing_store::link(Index curve, const std::vector<std::pair<Id, bool>>& c
   Id at = -1;
   for (const auto& [x, is_turned] : chain)
   {
-    Crossing& crossing = edit(x);
+    Chained_crossing& crossing = edit(x);
     crossing.curve = curve;
     if (is_turned) { crossing.halfedge = m_surface.opposite[crossing.halfedge]; }
     join(curve, at, x);

@@ -59,8 +59,7 @@ Crossing_loop Crossing_loop_search::find(Index m)
   return close(end, source.at(walk_to(end).stops.front().gap), target.at(end));
 }
 
-Crossing_loop_search::Gap Crossing_loop_search::search(const std::map<Gap, Index>& source,
-                                                       const std::map<Gap, Index>& target)
+Gap Crossing_loop_search::search(const std::map<Gap, Index>& source, const std::map<Gap, Index>& target)
 {
   m_reached.forget();
   Nearest_first<Gap> queue;

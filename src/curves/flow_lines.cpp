@@ -45,8 +45,7 @@ Index Flow_tracer::passage(Index h) const
 
 Curve_point Flow_tracer::point_on(Index h, const Portal& portal) const
 {
-  const Index e = m_surface.edge(h);
-  return {-1, h, e == h ? portal.t : 1 - portal.t, e};
+  return {{h, turn_fraction(m_surface, h, portal.t)}, -1, m_surface.edge(h)};
 }
 
 bool Flow_tracer::reach_portal(Flow_line& line, Index h, double t)
@@ -54,7 +53,7 @@ bool Flow_tracer::reach_portal(Flow_line& line, Index h, double t)
   t = t > margin ? std::min(t, 1 - margin) : margin;
   const auto line_number = static_cast<Index>(m_lines.size());
   const auto [at, is_new] =
-    m_portals.try_emplace(m_surface.edge(h), Portal{m_surface.edge(h) == h ? t : 1 - t, line_number});
+    m_portals.try_emplace(m_surface.edge(h), Portal{turn_fraction(m_surface, h, t), line_number});
   line.curve.points.push_back(point_on(h, at->second));
   return !is_new && join(line, at->second.line);
 }

@@ -5,11 +5,11 @@ namespace meridian {
 
 namespace internal {
 
-std::vector<Passing> passings_of(const Normal_curves& curves, Index c)
+std::vector<Edge_place> places_of(const Normal_curves& curves, Index c)
 {
-  std::vector<Passing> passings;
+  std::vector<Edge_place> passings;
   for (Index x : curves.crossings(c))
-    passings.push_back({curves[x].halfedge, curves.edge(x) == curves[x].halfedge ? curves[x].t : 1 - curves[x].t});
+    passings.push_back({curves[x].halfedge, turn_fraction(curves.surface(), curves[x].halfedge, curves[x].t)});
   return passings;
 }
 

@@ -9,7 +9,7 @@ namespace meridian {
 
 namespace internal {
 
-bool is_before(const Crossing& a, const Crossing& b)
+bool is_before(const Piece_crossing& a, const Piece_crossing& b)
 {
   if (a.edge != b.edge) { return a.edge < b.edge; }
   return a.from_source ? std::tie(a.piece, a.place) < std::tie(b.piece, b.place)
@@ -34,7 +34,7 @@ double margin_at(const Triangle_surface& s, Index v, Index edge)
 class Crossing_placer
 {
 public:
-  Crossing_placer(const Triangle_surface& s, const std::vector<std::vector<Crossing>>& curves, bool closed,
+  Crossing_placer(const Triangle_surface& s, const std::vector<std::vector<Piece_crossing>>& curves, bool closed,
                   const std::function<bool(Index)>& is_free)
     : m_surface(s), m_curves(curves), m_is_closed(closed), m_is_free(is_free), m_placed(curves.size())
   {
@@ -51,11 +51,11 @@ public:
       result[c].closed = m_is_closed;
       for (std::size_t i = 0; i < m_curves[c].size(); ++i)
       {
-        const Crossing& x = m_curves[c][i];
+        const Piece_crossing& x = m_curves[c][i];
         const Placed& p = m_placed[c][i];
         if (p.vertex >= 0) { result[c].points.push_back(Curve_point::on_vertex(p.vertex)); }
         else if (p.vertex == none)
-          result[c].points.push_back({-1, x.halfedge, x.edge == x.halfedge ? p.fraction : 1 - p.fraction, x.node});
+          result[c].points.push_back({{x.halfedge, turn_fraction(m_surface, x.halfedge, p.fraction)}, -1, x.node});
       }
     }
     return result;
@@ -83,7 +83,7 @@ private:
     Index vertex;
   };
 
-  const Crossing& at(const Place& p) const { return m_curves[p.curve][p.position]; }
+  const Piece_crossing& at(const Place& p) const { return m_curves[p.curve][p.position]; }
   Placed& placed(const Place& p) { return m_placed[p.curve][p.position]; }
 
   // Gives the crossings of every edge fractions that keep their order and some distance.
@@ -136,7 +136,7 @@ private:
   // How far from `v` a crossing was before it was placed; 2 if another is nearer to `v`.
   double reach_from(std::size_t c, std::size_t i, Index v) const
   {
-    const Crossing& x = m_curves[c][i];
+    const Piece_crossing& x = m_curves[c][i];
     const bool is_source = m_surface.source(x.edge) == v;
     if (!(is_source ? m_placed[c][i].is_first : m_placed[c][i].is_last)) { return 2.; }
     return is_source ? x.t : 1 - x.t;
@@ -203,7 +203,7 @@ private:
   }
 
   const Triangle_surface& m_surface;
-  const std::vector<std::vector<Crossing>>& m_curves;
+  const std::vector<std::vector<Piece_crossing>>& m_curves;
   bool m_is_closed;
   const std::function<bool(Index)>& m_is_free;
   std::vector<std::vector<Placed>> m_placed; // of each crossing
@@ -211,8 +211,9 @@ private:
 
 } // namespace
 
-std::vector<Surface_curve> place_crossings(const Triangle_surface& s, const std::vector<std::vector<Crossing>>& curves,
-                                           bool closed, const std::function<bool(Index)>& is_free)
+std::vector<Surface_curve> place_crossings(const Triangle_surface& s,
+                                           const std::vector<std::vector<Piece_crossing>>& curves, bool closed,
+                                           const std::function<bool(Index)>& is_free)
 {
   return Crossing_placer(s, curves, closed, is_free).place();
 }

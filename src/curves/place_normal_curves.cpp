@@ -32,7 +32,7 @@ Meeting find_meeting(const Normal_curves& curves, Index c)
 std::vector<Surface_curve> place_normal_curves(const Normal_curves& curves)
 {
   const Triangle_surface& s = curves.surface();
-  std::vector<std::vector<Crossing>> all(curves.number_of_curves());
+  std::vector<std::vector<Piece_crossing>> all(curves.number_of_curves());
   for (Index c = 0; c < curves.number_of_curves(); ++c)
   {
     const Index p = Normal_curves::partner(c);
@@ -40,7 +40,7 @@ std::vector<Surface_curve> place_normal_curves(const Normal_curves& curves)
     const Meeting meeting = has_partner ? find_meeting(curves, std::min(c, p)) : Meeting{};
     for (Index x : curves.crossings(c))
     {
-      Crossing crossing{curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true, -1};
+      Piece_crossing crossing{curves[x], curves.edge(x)};
       if (x == meeting.x || x == meeting.y)
       {
         crossing.node = c / 2;

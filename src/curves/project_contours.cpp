@@ -13,13 +13,13 @@ namespace meridian {
 
 namespace internal {
 
-std::vector<std::vector<Crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,
-                                                     const std::vector<const Contour*>& contours)
+std::vector<std::vector<Piece_crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,
+                                                           const std::vector<const Contour*>& contours)
 {
-  std::vector<std::vector<Crossing>> curves;
+  std::vector<std::vector<Piece_crossing>> curves;
   for (const Contour* contour : contours)
   {
-    std::vector<Crossing> curve;
+    std::vector<Piece_crossing> curve;
     for (Index h : contour->halfedges)
     {
       Root_stretch on;
@@ -29,8 +29,10 @@ std::vector<std::vector<Crossing>> project_crossings(const Triangle_surface& roo
       const bool rises = on.at[0] < on.at[1]; // the level grows from source to target
       const Index edge = root.edge(on.halfedge);
       const bool from_source = root.source(edge) == on.lower;
-      curve.push_back({on.halfedge, edge, std::min(on.at[0], on.at[1]), rises ? contour->level : -contour->level,
-                       from_source ? t : 1 - t, from_source});
+      curve.push_back({{on.halfedge, rises ? contour->level : -contour->level, from_source ? t : 1 - t},
+                       edge,
+                       std::min(on.at[0], on.at[1]),
+                       from_source});
     }
     cancel(root, curve);
     if (curve.empty()) { throw Internal_error("project_contours: a contour can be pulled to a point"); }

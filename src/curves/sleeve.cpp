@@ -290,18 +290,18 @@ private:
 };
 
 // The crossings of a path. Beside a vertex that cannot be passed, room is left for the next link.
-std::vector<Crossing> crossings_of(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_path& path,
-                                   const Is_free& is_free)
+std::vector<Piece_crossing> crossings_of(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_path& path,
+                                         const Is_free& is_free)
 {
   constexpr double beside = 0.2;
-  std::vector<Crossing> crossings;
+  std::vector<Piece_crossing> crossings;
   for (std::size_t i = 0; i < sleeve.halfedges.size(); ++i)
   {
-    const Index h = sleeve.halfedges[i], e = s.edge(h);
+    const Index h = sleeve.halfedges[i];
     double t = path.fraction[i];
     if (!is_free(s.source(h))) { t = std::max(t, beside); }
     if (!is_free(s.target(h))) { t = std::min(t, std::max(1 - beside, 0.5)); }
-    crossings.push_back({h, e, 0, 0, e == h ? t : 1 - t, true});
+    crossings.push_back({{h, 0, turn_fraction(s, h, t)}, s.edge(h)});
   }
   return crossings;
 }
@@ -321,7 +321,7 @@ Surface_curve shortest_curve(const Triangle_surface& s, Sleeve& sleeve, const Ma
   if (!sleeve.halfedges.empty())
   {
     const Pulled_path path = straighten(s, sleeve, may_cross, is_free);
-    const std::vector<Crossing> crossings = crossings_of(s, sleeve, path, is_free);
+    const std::vector<Piece_crossing> crossings = crossings_of(s, sleeve, path, is_free);
     if (!crossings.empty())
     {
       const Surface_curve inside = place_crossings(s, {crossings}, false, is_free).front();

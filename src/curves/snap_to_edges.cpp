@@ -51,7 +51,7 @@ public:
       {
         const Curve_point& p = curves[c].points[i];
         if (p.is_vertex()) { own(p.vertex, c); }
-        else { crossings.push_back({s.edge(p.halfedge), s.edge(p.halfedge) == p.halfedge ? p.t : 1 - p.t, c, i}); }
+        else { crossings.push_back({{s.edge(p.halfedge), turn_fraction(s, p.halfedge, p.t)}, c, i}); }
       }
     }
     mark_last(std::move(crossings));
@@ -80,10 +80,9 @@ public:
 
 private:
   using Allowed = std::vector<std::array<char, 2>>; // of each point: which ends of its edge it may go to
-  struct Point_on_edge
+  // A point of a curve; `halfedge` is its edge.
+  struct Point_on_edge : Edge_place
   {
-    Index edge;
-    double t;
     std::size_t curve, point;
   };
 
@@ -101,16 +100,19 @@ private:
   void mark_last(std::vector<Point_on_edge> crossings)
   {
     std::sort(crossings.begin(), crossings.end(), [](const Point_on_edge& a, const Point_on_edge& b) {
-      return std::tie(a.edge, a.t, a.curve, a.point) < std::tie(b.edge, b.t, b.curve, b.point);
+      return std::tie(a.halfedge, a.t, a.curve, a.point) < std::tie(b.halfedge, b.t, b.curve, b.point);
     });
     const auto mark = [&](const Point_on_edge& x, bool toward_source) {
-      const bool along = m_curves[x.curve].points[x.point].halfedge == x.edge;
+      const bool along = m_curves[x.curve].points[x.point].halfedge == x.halfedge;
       m_is_last[x.curve][x.point][toward_source == along ? 0 : 1] = 1;
     };
     for (std::size_t i = 0; i < crossings.size(); ++i)
     {
-      if (i == 0 || crossings[i - 1].edge != crossings[i].edge) { mark(crossings[i], true); }
-      if (i + 1 == crossings.size() || crossings[i + 1].edge != crossings[i].edge) { mark(crossings[i], false); }
+      if (i == 0 || crossings[i - 1].halfedge != crossings[i].halfedge) { mark(crossings[i], true); }
+      if (i + 1 == crossings.size() || crossings[i + 1].halfedge != crossings[i].halfedge)
+      {
+        mark(crossings[i], false);
+      }
     }
   }
 

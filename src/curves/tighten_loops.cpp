@@ -77,10 +77,10 @@ bool bounds_disc(const Triangle_surface& s, const std::vector<Index>& loop)
 }
 
 // The edges that a loop crosses when it is pushed off to its left: those that leave its vertices to that side.
-std::vector<Normal_curves::Step> push_off(const Normal_curves& curves, const std::vector<Index>& loop)
+std::vector<Crossing> push_off(const Normal_curves& curves, const std::vector<Index>& loop)
 {
   const Triangle_surface& s = curves.surface();
-  std::vector<Normal_curves::Step> steps;
+  std::vector<Crossing> steps;
   for (std::size_t i = 0; i < loop.size(); ++i)
   {
     const Index v = loop[i], before = loop[(i + loop.size() - 1) % loop.size()], after = loop[(i + 1) % loop.size()];

@@ -250,7 +250,7 @@ std::pair<Index, double> Network_exchange::longest_between(const Candidate& c) c
   return best;
 }
 
-std::vector<Network_exchange::Gap> Network_exchange::back_from(Gap g)
+std::vector<Gap> Network_exchange::back_from(Gap g)
 {
   std::vector<Gap> way;
   for (; g.edge >= 0; g = m_reached[g].from)
@@ -261,15 +261,14 @@ std::vector<Network_exchange::Gap> Network_exchange::back_from(Gap g)
   return way;
 }
 
-std::vector<Normal_curves::Step> Network_exchange::steps_along(const std::vector<Gap>& way, std::size_t before,
-                                                               Index between)
+std::vector<Crossing> Network_exchange::steps_along(const std::vector<Gap>& way, std::size_t before, Index between)
 {
   std::vector<Index> faces; // after each gap
   for (std::size_t i = 0; i + 1 < way.size(); ++i)
   {
     faces.push_back(i + 1 < before ? m_reached[way[i + 1]].face : i + 1 == before ? between : m_reached[way[i]].face);
   }
-  std::vector<Normal_curves::Step> steps;
+  std::vector<Crossing> steps;
   for (std::size_t i = 0; i < way.size(); ++i)
   {
     const Index e = way[i].edge, o = m_surface.opposite[e];
@@ -302,7 +301,7 @@ std::optional<Network_exchange::New_curve> Network_exchange::find_new_curve(cons
   {
     return std::nullopt;
   }
-  const std::vector<Normal_curves::Step> steps = steps_along(way, before, c.face);
+  const std::vector<Crossing> steps = steps_along(way, before, c.face);
   std::size_t first = 0, last = steps.size(); // what only leads round an end is left out
   while (first < last && touches(m_surface, steps[first].halfedge, v)) { ++first; }
   while (first < last && touches(m_surface, steps[last - 1].halfedge, w)) { --last; }

@@ -168,7 +168,7 @@ private:
         }
         const Index e = m_surface.edge(p.halfedge);
         const double t = fraction(m_segments[i], e);
-        m_crossings.back().push_back({p.halfedge, e, 0, 0, t > 0 && t < 1 ? t : 0.5, true});
+        m_crossings.back().push_back({{p.halfedge, 0, t > 0 && t < 1 ? t : 0.5}, e});
       }
   }
 
@@ -248,7 +248,7 @@ private:
   const std::vector<Index>& m_copy_of;
   std::vector<char> m_is_used; // of each vertex: no walk may be moved to it
   std::vector<Stretch> m_stretches;
-  std::vector<std::vector<Crossing>> m_crossings; // of each stretch
+  std::vector<std::vector<Piece_crossing>> m_crossings; // of each stretch
 };
 
 } // namespace

@@ -22,7 +22,7 @@ void add_paths(Normal_curves& curves, const std::vector<std::vector<Index>>& pat
   const Triangle_surface& s = curves.surface();
   for (const auto& path : paths)
   {
-    std::vector<Normal_curves::Step> steps;
+    std::vector<Crossing> steps;
     const auto push = [&](Index h) { // a crossing next to the source of `h`
       if (!steps.empty() && s.opposite[steps.back().halfedge] == h)
       {
@@ -86,17 +86,14 @@ namespace {
 std::vector<Surface_curve> place_network(const Normal_curves& curves)
 {
   const Triangle_surface& s = curves.surface();
-  std::vector<std::vector<Crossing>> crossings;
+  std::vector<std::vector<Piece_crossing>> crossings;
   std::vector<Index> present;
   for (Index c = 0; c < curves.number_of_curves(); ++c)
   {
     if (!curves.is_open(c)) { continue; }
     present.push_back(c);
     auto& all = crossings.emplace_back();
-    for (Index x : curves.crossings(c))
-    {
-      all.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true, -1});
-    }
+    for (Index x : curves.crossings(c)) { all.push_back({curves[x], curves.edge(x)}); }
   }
   auto placed = place_crossings(s, crossings, false,
                                 [&](Index v) { return !s.is_boundary_vertex(v) && curves.ends_at(v).empty(); });

@@ -41,12 +41,12 @@ Node_tree::Node_tree(const Triangle_surface& s, const Closed_model& g) : m_surfa
   m_tour = walk_tree(tree, 0, s.number_of_halfedges(), [&](Index h) { return g.node[s.target(h)]; });
 }
 
-boost::dynamic_bitset<> Node_tree::parity_of(const std::vector<Passing>& strip) const
+boost::dynamic_bitset<> Node_tree::parity_of(const std::vector<Edge_place>& strip) const
 {
   // on the tour of the tree, where the number of crossings on the way from its root changes parity
   std::vector<Index> changes;
   std::vector<Index> own;
-  for (const Passing& c : strip)
+  for (const Edge_place& c : strip)
   {
     own.push_back(m_surface.edge(c.halfedge));
     for (Index h : {c.halfedge, m_surface.opposite[c.halfedge]})
@@ -90,9 +90,9 @@ double loop_length(const Triangle_surface& s, const Face_tree& tree, Index h)
 }
 
 // The loop of an edge, without what it has twice.
-std::vector<Passing> make_loop(const Triangle_surface& s, const std::vector<Index>& by, Index h)
+std::vector<Edge_place> make_loop(const Triangle_surface& s, const std::vector<Index>& by, Index h)
 {
-  std::vector<Passing> there, back;
+  std::vector<Edge_place> there, back;
   for (Index f = s.face(h); by[f] >= 0; f = s.face(by[f])) { there.push_back({by[f], 0.5}); }
   for (Index f = s.face(s.opposite[h]); by[f] >= 0; f = s.face(by[f])) { back.push_back({s.opposite[by[f]], 0.5}); }
   while (!there.empty() && !back.empty() && there.back().halfedge == s.opposite[back.back().halfedge])
@@ -151,7 +151,7 @@ std::vector<Dual_loop> choose_basis(std::vector<Dual_loop> loops, std::size_t wa
 }
 
 std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted,
-                                       const std::vector<std::vector<Passing>>& others, const Progress& progress)
+                                       const std::vector<std::vector<Edge_place>>& others, const Progress& progress)
 {
   const Closed_model g = make_closed_model(s);
   const Node_tree tree(s, g);
@@ -170,7 +170,7 @@ std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std
     double length = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i)
     {
-      const Passing &a = crossings[i], &b = crossings[(i + 1) % crossings.size()];
+      const Edge_place &a = crossings[i], &b = crossings[(i + 1) % crossings.size()];
       length += distance(s.point_on(a.halfedge, a.t), s.point_on(b.halfedge, b.t));
     }
     all.push_back({crossings, length, length, {}});

@@ -210,10 +210,10 @@ public:
     }
   }
 
-  std::vector<std::vector<Passing>> crossings() const
+  std::vector<std::vector<Edge_place>> crossings() const
   {
-    std::vector<std::vector<Passing>> all;
-    for (Index c = 0; c < m_curves.number_of_curves(); ++c) { all.push_back(passings_of(m_curves, c)); }
+    std::vector<std::vector<Edge_place>> all;
+    for (Index c = 0; c < m_curves.number_of_curves(); ++c) { all.push_back(places_of(m_curves, c)); }
     return all;
   }
 
@@ -240,7 +240,7 @@ private:
 
 std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m,
                                                      const Generator_options& options, const Stage_runner& run,
-                                                     Generators& g, std::vector<std::vector<Passing>>* crossings,
+                                                     Generators& g, std::vector<std::vector<Edge_place>>* crossings,
                                                      const Filled_surface* filled)
 {
   static_cast<Field_summary&>(g) = summarize_field(root, m);

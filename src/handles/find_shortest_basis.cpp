@@ -44,12 +44,12 @@ public:
     for (Index f = 0; f < s.number_of_faces(); ++f) { m_parts[s.face_of[f]].push_back(f); }
   }
 
-  std::vector<Passing> transfer(const std::vector<Passing>& loop) const
+  std::vector<Edge_place> transfer(const std::vector<Edge_place>& loop) const
   {
     const std::size_t n = loop.size();
-    std::vector<Passing> gates; // the halfedge of the refined surface by which each face of the root is left
-    for (const Passing& c : loop) { gates.push_back(find_part(c)); }
-    std::vector<Passing> crossings;
+    std::vector<Edge_place> gates; // the halfedge of the refined surface by which each face of the root is left
+    for (const Edge_place& c : loop) { gates.push_back(find_part(c)); }
+    std::vector<Edge_place> crossings;
     for (std::size_t i = 0; i < n; ++i)
     {
       crossings.push_back(gates[i]);
@@ -61,10 +61,10 @@ public:
 
 private:
   // The part of a halfedge of the root that holds a fraction of it.
-  Passing find_part(const Passing& c) const
+  Edge_place find_part(const Edge_place& c) const
   {
     const Index v = m_root.source(c.halfedge), w = m_root.target(c.halfedge);
-    Passing best{-1, 0.5};
+    Edge_place best{-1, 0.5};
     for (Index f : m_parts[m_root.face(c.halfedge)])
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
       {
@@ -86,7 +86,7 @@ private:
     return best;
   }
   // Adds the crossings between the face of `entry` and that of `exit`, parts of one face of the root.
-  void cross(Index entry, Index exit, std::vector<Passing>& crossings) const
+  void cross(Index entry, Index exit, std::vector<Edge_place>& crossings) const
   {
     const Index first = m_surface.face(entry), last = m_surface.face(exit), whole = m_surface.face_of[first];
     // face: distance, and the halfedge by which the one before was left
@@ -110,7 +110,7 @@ private:
       return false;
     });
     if (!reached.count(last)) { throw Internal_error("transfer: a face of the root is not connected"); }
-    std::vector<Passing> way;
+    std::vector<Edge_place> way;
     for (Index f = last; f != first; f = m_surface.face(way.back().halfedge))
     {
       way.push_back({reached.at(f).second, 0.5});
@@ -124,29 +124,26 @@ private:
 };
 
 // Shortens a closed curve on its own. Returns its length.
-double tighten_loop(const Triangle_surface& s, std::vector<Passing>& loop, const Tighten_options& options)
+double tighten_loop(const Triangle_surface& s, std::vector<Edge_place>& loop, const Tighten_options& options)
 {
   Normal_curves curves(s, 1);
-  std::vector<Normal_curves::Step> steps;
-  for (const Passing& c : loop) { steps.push_back({c.halfedge, 0, s.edge(c.halfedge) == c.halfedge ? c.t : 1 - c.t}); }
+  std::vector<Crossing> steps;
+  for (const Edge_place& c : loop) { steps.push_back({c.halfedge, 0, turn_fraction(s, c.halfedge, c.t)}); }
   curves.add(0, steps);
   const double length = tighten_curve(curves, 0, options);
-  loop = passings_of(curves, 0);
+  loop = places_of(curves, 0);
   return length;
 }
 
 // Places a closed curve on its own; it passes through no vertex that another one uses.
-Surface_curve place_loop(const Refined_surface& s, const std::vector<Passing>& loop)
+Surface_curve place_loop(const Refined_surface& s, const std::vector<Edge_place>& loop)
 {
   Normal_curves curves(s, 1);
-  std::vector<Normal_curves::Step> steps;
-  for (const Passing& c : loop) { steps.push_back({c.halfedge, 0, s.edge(c.halfedge) == c.halfedge ? c.t : 1 - c.t}); }
+  std::vector<Crossing> steps;
+  for (const Edge_place& c : loop) { steps.push_back({c.halfedge, 0, turn_fraction(s, c.halfedge, c.t)}); }
   curves.add(0, steps);
-  std::vector<Crossing> crossings;
-  for (Index x : curves.crossings(0))
-  {
-    crossings.push_back({curves[x].halfedge, curves.edge(x), 0, curves[x].place, curves[x].t, true});
-  }
+  std::vector<Piece_crossing> crossings;
+  for (Index x : curves.crossings(0)) { crossings.push_back({curves[x], curves.edge(x)}); }
   return place_crossings(s, {crossings}, true,
                          [&](Index v) {
                            bool is_free = !s.is_boundary_vertex(v);
@@ -168,7 +165,7 @@ std::vector<Dual_loop> find_candidates(const Triangle_surface& root, int genus, 
   Generators pairs;
   pairs.genus = genus;
   Stage_times ignored;
-  std::vector<std::vector<Passing>> crossings;
+  std::vector<std::vector<Edge_place>> crossings;
   find_generators(root, m, pair_options, Stage_runner{nullptr, ignored}, pairs, &crossings);
   return find_dual_loops(
     root, options.bases > 0 ? options.bases : std::min(std::max(5000000 / root.number_of_faces(), 16), 96),
@@ -237,7 +234,7 @@ void insert_loops(const Triangle_surface& root, const std::vector<Dual_loop>& lo
   Refined_surface& s = basis.surface;
   for (const Dual_loop& loop : loops)
   {
-    std::vector<Passing> crossings = Loop_transfer(root, s).transfer(loop.crossings);
+    std::vector<Edge_place> crossings = Loop_transfer(root, s).transfer(loop.crossings);
     if (options.tighten) { tighten_loop(s, crossings, options.tightening); }
     Generator_curve curve;
     auto [vertices, on] = insert_loop(root, s, place_loop(s, crossings));

@@ -120,7 +120,8 @@ Index face_to_left(const Triangle_surface& s, const Curve_point& p, const Curve_
 
 // Adds the crossings at a point of a polyline between the faces on its left, before and after. False if they would
 // leave the surface.
-bool pass_point(const Triangle_surface& s, const Curve_point& p, Index from, Index to, std::vector<Passing>& crossings)
+bool pass_point(const Triangle_surface& s, const Curve_point& p, Index from, Index to,
+                std::vector<Edge_place>& crossings)
 {
   constexpr double beside = 0.02; // of an edge, from the vertex that is passed
   if (from == to) { return true; }
@@ -172,7 +173,7 @@ Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& fac
   return patch;
 }
 
-bool push_left(const Triangle_surface& s, const std::vector<Curve_point>& loop, std::vector<Passing>& crossings)
+bool push_left(const Triangle_surface& s, const std::vector<Curve_point>& loop, std::vector<Edge_place>& crossings)
 {
   const std::size_t n = loop.size();
   std::vector<Index> face(n); // to the left of the way from each point to the next
@@ -215,9 +216,9 @@ std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const Surfac
     if (meet == other.size()) { continue; } // they come to different ends
     std::vector<Curve_point> loop(one.begin(), one.begin() + place.at(key(other[meet])) + 1);
     for (std::size_t i = meet; i-- > 1;) { loop.push_back(other[i]); }
-    std::vector<Passing> pushed, crossings;
+    std::vector<Edge_place> pushed, crossings;
     if (loop.size() < 3 || !push_left(m.surface, loop, pushed)) { continue; }
-    for (const Passing& c : pushed)
+    for (const Edge_place& c : pushed)
     {
       Root_stretch on;
       if (!find_stretch(local, m.surface, c.halfedge, on)) { continue; }
@@ -229,10 +230,9 @@ std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const Surfac
     if (crossings.size() < 3) { continue; }
     Flow_loop found{
       {}, length(m.surface, Surface_curve{loop, true}), patch.vertex_of[root_vertex(local, m.surface, saddle)]};
-    for (const Passing& c : crossings)
+    for (const Edge_place& c : crossings)
     {
-      const Index e = root.edge(c.halfedge);
-      found.steps.push_back({c.halfedge, 0, e == c.halfedge ? c.t : 1 - c.t});
+      found.steps.push_back({c.halfedge, 0, turn_fraction(root, c.halfedge, c.t)});
     }
     loops.push_back(std::move(found));
   }
@@ -240,14 +240,14 @@ std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const Surfac
   return loops;
 }
 
-std::vector<Normal_curves::Step> reversed(const Triangle_surface& s, std::vector<Normal_curves::Step> steps)
+std::vector<Crossing> reversed(const Triangle_surface& s, std::vector<Crossing> steps)
 {
   std::reverse(steps.begin(), steps.end());
   for (auto& step : steps) { step.halfedge = s.opposite[step.halfedge]; }
   return steps;
 }
 
-bool try_loop(Normal_curves& curves, Index curve, std::vector<Normal_curves::Step> steps)
+bool try_loop(Normal_curves& curves, Index curve, std::vector<Crossing> steps)
 {
   for (auto& step : steps)
     for (Index x : curves.on(curves.surface().edge(step.halfedge))) { step.place += curves[x].t < step.t; }

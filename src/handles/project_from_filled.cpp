@@ -13,19 +13,19 @@ namespace meridian {
 
 namespace internal {
 
-std::vector<std::vector<Crossing>> project_from_filled(const Triangle_surface& root, const Filled_surface& filled,
-                                                       const Ordered_surface& m,
-                                                       const std::vector<const Contour*>& contours, int& arcs,
-                                                       int& loops)
+std::vector<std::vector<Piece_crossing>> project_from_filled(const Triangle_surface& root, const Filled_surface& filled,
+                                                             const Ordered_surface& m,
+                                                             const std::vector<const Contour*>& contours, int& arcs,
+                                                             int& loops)
 {
   arcs = loops = 0;
   const Triangle_surface& s = filled.surface;
-  std::vector<std::vector<Crossing>> result;
+  std::vector<std::vector<Piece_crossing>> result;
   for (const auto& contour : project_crossings(s, m, contours))
   {
-    std::vector<Crossing> curve;
+    std::vector<Piece_crossing> curve;
     int passes = 0;
-    for (const Crossing& c : contour)
+    for (const Piece_crossing& c : contour)
     {
       const Index a = s.source(c.halfedge), b = s.target(c.halfedge);
       if (a < filled.vertices && b < filled.vertices)
@@ -53,8 +53,10 @@ std::vector<std::vector<Crossing>> project_from_filled(const Triangle_surface& r
         const Index e = root.edge(h);
         const bool is_lower = u < root.target(h), from_source = (root.source(e) == u) == is_lower;
         const double t = root.source(e) == u ? 0.02 : 0.98;
-        curve.push_back({middle_on_left ? root.opposite[h] : h, e, is_lower ? -1 - c.piece : 2 + c.piece,
-                         is_lower ? -c.place : c.place, t, from_source});
+        curve.push_back({{middle_on_left ? root.opposite[h] : h, is_lower ? -c.place : c.place, t},
+                         e,
+                         is_lower ? -1 - c.piece : 2 + c.piece,
+                         from_source});
       }
     }
     cancel(root, curve);

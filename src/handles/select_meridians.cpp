@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  struct Crossing
+  struct Passed_level
   {
     Index edge, level, id;
   };
@@ -81,13 +81,13 @@ private:
   }
 
   // All crossings by edge and level.
-  std::vector<Crossing> sort_crossings() const
+  std::vector<Passed_level> sort_crossings() const
   {
-    std::vector<Crossing> crossings;
+    std::vector<Passed_level> crossings;
     Index ids = 0;
     for (const Contour& loop : m_loops)
       for (Index h : loop.halfedges) { crossings.push_back({m_ordered.surface.edge(h), loop.level, ids++}); }
-    std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    std::sort(crossings.begin(), crossings.end(), [](const Passed_level& a, const Passed_level& b) {
       return std::tie(a.edge, a.level, a.id) < std::tie(b.edge, b.level, b.id);
     });
     return crossings;
@@ -98,11 +98,11 @@ private:
   {
     const Refined_surface& s = m_ordered.surface;
     const Index n = s.number_of_vertices();
-    const std::vector<Crossing> crossings = sort_crossings();
+    const std::vector<Passed_level> crossings = sort_crossings();
     std::vector<char> is_crossed(s.number_of_halfedges(), 0);
     for (std::size_t i = 0; i < crossings.size(); ++i)
     {
-      const Crossing& c = crossings[i];
+      const Passed_level& c = crossings[i];
       is_crossed[c.edge] = 1;
       Index low = s.source(c.edge), high = s.target(c.edge);
       if (m_ordered.rank[low] > m_ordered.rank[high]) { std::swap(low, high); }

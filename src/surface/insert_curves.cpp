@@ -37,7 +37,7 @@ public:
 
   void split(Insertion& result)
   {
-    split_faces(m_surface, m_edge_points, m_chords, result.first_new_face, result.parent);
+    split_faces(m_surface, m_new_vertices, m_chords, result.first_new_face, result.parent);
   }
 
 private:
@@ -50,8 +50,7 @@ private:
       const auto [known, is_new] = m_vertex_of_node.try_emplace(p.node, v);
       if (!is_new) { return known->second; }
     }
-    const Index e = m_surface.edge(p.halfedge);
-    m_edge_points.push_back({e, e == p.halfedge ? p.t : 1 - p.t, v});
+    m_new_vertices.push_back({{m_surface.edge(p.halfedge), turn_fraction(m_surface, p.halfedge, p.t)}, v});
     const Origin origin = origin_on(m_root, m_surface, p.halfedge, p.t);
     m_surface.origins.push_back(origin);
     m_surface.points.push_back(position(m_root, origin));
@@ -69,7 +68,7 @@ private:
 
   const Triangle_surface& m_root;
   Refined_surface& m_surface;
-  std::vector<Edge_point> m_edge_points;
+  std::vector<New_vertex> m_new_vertices;
   std::vector<Chord> m_chords;
   std::map<Index, Index> m_vertex_of_node;
 };

@@ -117,13 +117,13 @@ void split_part(const std::vector<Point>& points, const Rim& whole,
 namespace {
 
 // The faces that have one of the points on their rim, ascending.
-std::vector<Index> faces_of(const Refined_surface& s, const std::vector<Edge_point>& edge_points)
+std::vector<Index> faces_of(const Refined_surface& s, const std::vector<New_vertex>& new_vertices)
 {
   std::vector<Index> faces;
-  for (const Edge_point& p : edge_points)
+  for (const New_vertex& p : new_vertices)
   {
-    faces.push_back(s.face(p.edge));
-    if (s.opposite[p.edge] >= 0) { faces.push_back(s.face(s.opposite[p.edge])); }
+    faces.push_back(s.face(p.halfedge));
+    if (s.opposite[p.halfedge] >= 0) { faces.push_back(s.face(s.opposite[p.halfedge])); }
   }
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
@@ -135,9 +135,9 @@ class Face_splitter
 {
 public:
   // Points and chords are sorted.
-  Face_splitter(Refined_surface& s, const std::vector<Edge_point>& edge_points, const std::vector<Chord>& chords)
-    : m_surface(s), m_edge_points(edge_points), m_chords(chords), m_first_new_face(s.number_of_faces()),
-      m_faces(faces_of(s, edge_points))
+  Face_splitter(Refined_surface& s, const std::vector<New_vertex>& new_vertices, const std::vector<Chord>& chords)
+    : m_surface(s), m_new_vertices(new_vertices), m_chords(chords), m_first_new_face(s.number_of_faces()),
+      m_faces(faces_of(s, new_vertices))
   {}
 
   void split(std::vector<Index>& parent)
@@ -213,10 +213,10 @@ private:
   // Appends the new points of an edge, along it or against it.
   void add_points(Rim& rim, Index e, bool along, unsigned side) const
   {
-    const auto first = std::lower_bound(m_edge_points.begin(), m_edge_points.end(), e,
-                                        [](const Edge_point& p, Index edge) { return p.edge < edge; });
+    const auto first = std::lower_bound(m_new_vertices.begin(), m_new_vertices.end(), e,
+                                        [](const New_vertex& p, Index edge) { return p.halfedge < edge; });
     auto last = first;
-    while (last != m_edge_points.end() && last->edge == e) { ++last; }
+    while (last != m_new_vertices.end() && last->halfedge == e) { ++last; }
     if (along)
     {
       for (auto p = first; p != last; ++p) { rim.push_back({p->vertex, side}); }
@@ -305,7 +305,7 @@ private:
   }
 
   Refined_surface& m_surface;
-  const std::vector<Edge_point>& m_edge_points;
+  const std::vector<New_vertex>& m_new_vertices;
   const std::vector<Chord>& m_chords;
   Index m_first_new_face;
   std::vector<Index> m_faces; // that are split
@@ -317,17 +317,17 @@ private:
 
 } // namespace
 
-void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points, std::vector<Chord>& chords,
+void split_faces(Refined_surface& s, std::vector<New_vertex>& new_vertices, std::vector<Chord>& chords,
                  Index& first_new_face, std::vector<Index>& parent)
 {
   first_new_face = s.number_of_faces();
-  std::sort(edge_points.begin(), edge_points.end(), [](const Edge_point& a, const Edge_point& b) {
-    return std::tie(a.edge, a.t, a.vertex) < std::tie(b.edge, b.t, b.vertex);
+  std::sort(new_vertices.begin(), new_vertices.end(), [](const New_vertex& a, const New_vertex& b) {
+    return std::tie(a.halfedge, a.t, a.vertex) < std::tie(b.halfedge, b.t, b.vertex);
   });
   std::sort(chords.begin(), chords.end(), [](const Chord& a, const Chord& b) {
     return std::tie(a.face, a.from, a.to) < std::tie(b.face, b.from, b.to);
   });
-  Face_splitter(s, edge_points, chords).split(parent);
+  Face_splitter(s, new_vertices, chords).split(parent);
 }
 
 } // namespace internal

@@ -28,7 +28,7 @@ public:
   }
   std::uint32_t run() const { return m_run; }
 
-  Record& operator[](const Normal_curves::Gap& g)
+  Record& operator[](const Gap& g)
   {
     Record& r = m_curves.on(g.edge).empty()
                   ? m_plain[g.edge]

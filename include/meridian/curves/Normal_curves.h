@@ -5,6 +5,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/curves/internal/crossing_store.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/edge_places.h>
 
 #include <array>
 #include <vector>
@@ -26,26 +27,9 @@ namespace meridian {
 class Normal_curves
 {
 public:
-  using Id = internal::Crossing_store::Id;             ///< of a crossing
-  using Crossing = internal::Crossing_store::Crossing; ///< where a curve leaves a face
-  using End = internal::Crossing_store::End;           ///< of an open curve
-  /// a crossing to be made: in gap `place` of its edge. Several in one gap are ordered by `t`.
-  struct Step
-  {
-    Index halfedge; ///< by which the curve leaves a face
-    Index place;    ///< the gap of its edge
-    double t;       ///< the fraction along the edge
-  };
-  /// a stretch of an edge between two crossings, or a crossing and an end. Place `k` has `k` crossings before it.
-  struct Gap
-  {
-    Index edge;  ///< the edge
-    Index place; ///< how many crossings come before it
-    /// \param g another \returns whether it comes after this one
-    bool operator<(const Gap& g) const { return edge != g.edge ? edge < g.edge : place < g.place; }
-    /// \param g another \returns whether it is the same
-    bool operator==(const Gap& g) const { return edge == g.edge && place == g.place; }
-  };
+  using Id = internal::Crossing_store::Id;                             ///< of a crossing
+  using Chained_crossing = internal::Crossing_store::Chained_crossing; ///< in the chain of its curve
+  using End = internal::Crossing_store::End;                           ///< of an open curve
   /// what is done while a trial lives is taken back at its end, unless it is kept. Trials may be nested.
   struct Trial : internal::Crossing_store::Trial
   {
@@ -72,7 +56,7 @@ public:
   /// \param curve a curve \returns whether it is open
   bool is_open(Index curve) const { return m_store.is_open(curve); }
   /// \param x a crossing \returns what it is
-  const Crossing& operator[](Id x) const { return m_store[x]; }
+  const Chained_crossing& operator[](Id x) const { return m_store[x]; }
   /// \param x a crossing \returns its edge
   Index edge(Id x) const { return m_store.edge(x); }
   /// \param edge an edge \returns its crossings, from the source of `edge` to its target
@@ -103,12 +87,14 @@ public:
   /// says where partners cross. \param curve one of them \param face the face, or -1
   void set_meeting(Index curve, Index face) { m_meeting[curve / 2] = face; }
 
-  /// adds a closed curve, which must not be there yet. \param curve its number \param steps its crossings, in order
-  void add(Index curve, const std::vector<Step>& steps);
+  /// adds a closed curve, which must not be there yet.
+  /// \param curve its number
+  /// \param steps its crossings, in order. The place of each is that of a gap; several in one gap are ordered by `t`
+  void add(Index curve, const std::vector<Crossing>& steps);
   /// adds an open curve. Without steps it runs along the edge that joins its ends, which nothing may cross.
   /// \param from, to its ends, vertices \param steps its crossings, in order
   /// \returns the curve
-  Index add(Index from, Index to, const std::vector<Step>& steps);
+  Index add(Index from, Index to, const std::vector<Crossing>& steps);
   /// takes a curve away. \param curve its number
   void remove(Index curve);
 
@@ -128,7 +114,7 @@ public:
 
 private:
   // Appends the crossings of a curve that has none, and joins them in order.
-  void link_new(Index curve, const std::vector<Step>& steps);
+  void link_new(Index curve, const std::vector<Crossing>& steps);
 
   internal::Crossing_store m_store;
   std::vector<Index> m_meeting; // of each pair: the face where its chords cross, or -1

@@ -12,7 +12,7 @@ namespace meridian {
 namespace internal {
 
 // Contours as every second curve of a system (or every `stride`-th), in the order that the levels give them.
-void add_contours(const std::vector<std::vector<Crossing>>& all, Normal_curves& curves, std::size_t stride = 2);
+void add_contours(const std::vector<std::vector<Piece_crossing>>& all, Normal_curves& curves, std::size_t stride = 2);
 
 } // namespace internal
 

@@ -16,11 +16,11 @@ namespace meridian {
 /// \param curves, x a crossing
 /// \param left on which side of the curve
 /// \returns the gap beside a crossing, to the left or to the right of the curve
-Normal_curves::Gap gap_beside(const Normal_curves& curves, Index x, bool left);
+Gap gap_beside(const Normal_curves& curves, Index x, bool left);
 
 /// \param curves, gap a gap between crossings
 /// \returns a point in a gap, as a fraction along its edge
-double middle_of(const Normal_curves& curves, const Normal_curves::Gap& gap);
+double middle_of(const Normal_curves& curves, const Gap& gap);
 
 /// \param curves, x a crossing
 /// \returns the face in which a curve runs from `x` to the crossing after it
@@ -82,8 +82,7 @@ Index count_before_corner(const Normal_curves& curves, Index h, Index face);
 /// at `x` comes after the gap, or a corner if that is -1. The region is to the left of the way from `x` into the face.
 /// \param curves, gap, face a gap on a side of a face
 /// \param visit the function
-template <class Visit>
-void for_each_gap_around(const Normal_curves& curves, const Normal_curves::Gap& gap, Index face, Visit visit)
+template <class Visit> void for_each_gap_around(const Normal_curves& curves, const Gap& gap, Index face, Visit visit)
 {
   const Triangle_surface& s = curves.surface();
   Index h = 3 * face;
@@ -98,7 +97,7 @@ void for_each_gap_around(const Normal_curves& curves, const Normal_curves::Gap& 
     const Index n = static_cast<Index>(list.size());
     if (k == n)
     {
-      visit(Normal_curves::Gap{s.edge(h), turned(h, k)}, Index(-1));
+      visit(Gap{s.edge(h), turned(h, k)}, Index(-1));
       const Index chords =
         internal::count_before_corner(curves, s.prev(h), face); // that end at the corner, from across
       h = chords > 0 ? s.prev(h) : s.next(h);
@@ -106,7 +105,7 @@ void for_each_gap_around(const Normal_curves& curves, const Normal_curves::Gap& 
       continue;
     }
     const Index x = list[s.edge(h) == h ? k : n - 1 - k];
-    visit(Normal_curves::Gap{s.edge(h), turned(h, k)}, x);
+    visit(Gap{s.edge(h), turned(h, k)}, x);
     Index end = chord_across(curves, x, face);
     if (end < 0) // on to the corner; between two chords that end there nothing else lies
     {

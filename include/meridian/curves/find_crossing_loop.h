@@ -21,7 +21,7 @@ struct Gap_walk
 {
   struct Stop
   {
-    Normal_curves::Gap gap;
+    Gap gap;
     Index face_after;
   };
   std::vector<Stop> stops;
@@ -29,7 +29,7 @@ struct Gap_walk
 
 struct Crossing_loop
 {
-  std::vector<Normal_curves::Step> steps;
+  std::vector<Crossing> steps;
   double length;
 };
 
@@ -49,7 +49,6 @@ public:
   Crossing_loop find(Index m);
 
 private:
-  using Gap = Normal_curves::Gap;
   struct Reached
   {
     double distance = std::numeric_limits<double>::infinity();

@@ -5,6 +5,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/edge_places.h>
 
 #include <vector>
 
@@ -12,15 +13,8 @@ namespace meridian {
 
 namespace internal {
 
-// A crossing with an edge, by the halfedge of the face that is left.
-struct Passing
-{
-  Index halfedge;
-  double t;
-};
-
-// The edges that a curve crosses, with fractions along the halfedges by which it leaves faces.
-std::vector<Passing> passings_of(const Normal_curves& curves, Index c);
+// Where a curve crosses edges, by the halfedges by which it leaves faces.
+std::vector<Edge_place> places_of(const Normal_curves& curves, Index c);
 
 // Takes crossings out of a closed sequence that are taken back at once.
 template <class Sequence> void cancel(const Triangle_surface& s, Sequence& crossings)

@@ -15,8 +15,8 @@ namespace meridian {
 namespace internal {
 
 // The crossings of contours with the edges of the root, in an order on every edge.
-std::vector<std::vector<Crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,
-                                                     const std::vector<const Contour*>& contours);
+std::vector<std::vector<Piece_crossing>> project_crossings(const Triangle_surface& root, const Ordered_surface& m,
+                                                           const std::vector<const Contour*>& contours);
 
 } // namespace internal
 

@@ -23,7 +23,7 @@ namespace internal {
 std::vector<std::pair<Index, Index>> find_generators(const Triangle_surface& root, const Ordered_surface& m,
                                                      const Generator_options& options, const Stage_runner& run,
                                                      Generators& g,
-                                                     std::vector<std::vector<Passing>>* crossings = nullptr,
+                                                     std::vector<std::vector<Edge_place>>* crossings = nullptr,
                                                      const Filled_surface* filled = nullptr);
 
 } // namespace internal

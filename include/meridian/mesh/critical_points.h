@@ -26,6 +26,8 @@ template <class TriangleMesh> struct Critical_vertex
  * finds the critical vertices of a field: where the walk around a vertex does not pass between lower and higher exactly
  * twice (\cite banchoff1970). Vertices of one value are told apart by their numbers.
  *
+ * \declared{meridian/fields.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`
  * \tparam OutputIterator an output iterator of `Critical_vertex<TriangleMesh>`

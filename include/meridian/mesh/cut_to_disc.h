@@ -58,6 +58,8 @@ Ordered_surface order_again(const Triangle_surface& root, const TriangleMesh& tm
  *
  * cuts a connected triangle mesh into a disc (see `cut_to_disc(const Triangle_surface&, const Cut_options&)`).
  *
+ * \declared{meridian/cut_to_disc.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam DiscMesh a model of `MutableFaceGraph` with an internal point map; it may be another type
  * \param tm the mesh
@@ -100,6 +102,8 @@ template <class TriangleMesh> struct Mesh_curve
  * refines a connected triangle mesh along a cut graph that makes a disc of it (see
  * `cut_to_disc(const Triangle_surface&, const Cut_options&)`). Vertices, edges and faces that the graph does not cross
  * stay what they are, with their properties; with `Cut_options::on_edges` all do.
+ *
+ * \declared{meridian/cut_to_disc.h}
  *
  * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \param tm the mesh

@@ -20,6 +20,8 @@ namespace meridian {
  * writes eigenfunctions of the Laplacian, those of the smallest eigenvalues first, without the constant one. The
  * integral of the square of each is 1, and it is the same all along a boundary loop.
  *
+ * \declared{meridian/fields.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam FieldMapRange a range of models of `WritablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters

@@ -20,6 +20,8 @@ namespace meridian {
  * refines a connected triangle mesh so that a meridian and a longitude around every handle are edges of it (see
  * `find_generators(const Triangle_surface&, const Generator_options&)`). What they do not cross stays what it is.
  *
+ * \declared{meridian/generators.h}
+ *
  * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \tparam MeridianOutputIterator, LongitudeOutputIterator output iterators of `std::vector`s of halfedges
  * \tparam NamedParameters a sequence of named parameters

@@ -19,6 +19,8 @@ namespace meridian {
  * writes the distance of each vertex within the surface from the nearest of some vertices (see `geodesic_distance()` on
  * a `Triangle_surface`).
  *
+ * \declared{meridian/fields.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexRange a range of vertex descriptors
  * \tparam VertexFieldMap a model of `WritablePropertyMap` from vertices to `double`

@@ -14,6 +14,8 @@ namespace meridian {
  *
  * says for each of some loops on which side of the surface it bounds (handle and tunnel loops: \cite dey2007).
  *
+ * \declared{meridian/generators.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam LoopRange a range of ranges of halfedges
  * \tparam OutputIterator an output iterator of `Loop_class`

@@ -17,6 +17,8 @@ namespace meridian {
  * writes the field that is harmonic between minima and maxima, where it is 0 and 1. Along a boundary loop it is
  * constant, without flux: the loop is one place of the field.
  *
+ * \declared{meridian/fields.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexRange a range of vertex descriptors
  * \tparam VertexFieldMap a model of `WritablePropertyMap` from vertices to `double`

@@ -30,6 +30,8 @@ Triangle_surface read_surface(const TriangleMesh& tm, const NamedParameters& np)
  * \returns a mesh as a `Triangle_surface`; vertices and faces are numbered in the order of `vertices(tm)` and
  *          `faces(tm)`
  *
+ * \declared{meridian/mesh/make_triangle_surface.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam NamedParameters a sequence of named parameters
  * \param tm the mesh

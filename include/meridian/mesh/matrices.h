@@ -21,6 +21,8 @@ namespace meridian {
  * \ingroup PkgMeridianMatrices
  *
  * \returns a surface made of matrices, as libigl has them
+ * \declared{meridian/matrices.h}
+ *
  * \param V an n x 3 matrix of coordinates
  * \param F an m x 3 matrix of vertex numbers from 0, counterclockwise
  * \throws Invalid_input_error if a matrix has not three columns, a number is not that of a row of `V`, or a coordinate

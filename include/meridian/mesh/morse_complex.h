@@ -15,6 +15,8 @@ namespace meridian {
  * builds the quasi Morse-Smale complex of a field: the two descending and the two ascending flow lines of every saddle,
  * as a graph on the critical points (\cite patane2007, section 4).
  *
+ * \declared{meridian/fields.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam VertexFieldMap a model of `ReadablePropertyMap` from vertices to `double`
  * \tparam NamedParameters a sequence of named parameters

@@ -22,6 +22,8 @@ namespace meridian {
  * builds a mesh that is another one, taken apart along some of its edges: a vertex is doubled for each piece that its
  * faces fall into. What `CGAL::Seam_mesh` shows, as a mesh of its own.
  *
+ * \declared{meridian/cut_to_disc.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` from edges to `bool`
  * \tparam OpenedMesh a model of `MutableFaceGraph` with an internal point map; it may be another type

@@ -24,6 +24,8 @@ namespace meridian {
  * maps a mesh that is a disc, or one where it is opened along some edges, into the unit square (see
  * `parameterize_disc()`).
  *
+ * \declared{meridian/unwrap.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam HalfedgeUVMap a model of `WritablePropertyMap` from halfedges to points of the plane that are constructible
  *         from two numbers

@@ -19,6 +19,8 @@ namespace meridian {
  * refines a connected triangle mesh so that short loops that are a basis of its first homology are edges of it (see
  * `find_shortest_basis()`). They may cross.
  *
+ * \declared{meridian/generators.h}
+ *
  * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \tparam OutputIterator an output iterator of `std::vector`s of halfedges
  * \tparam NamedParameters a sequence of named parameters

@@ -21,6 +21,8 @@ namespace meridian {
  * refines a triangle mesh so that loops of its edges, made as short as they can be in their homotopy classes, are edges
  * of it (see `tighten_loops()`).
  *
+ * \declared{meridian/generators.h}
+ *
  * \tparam TriangleMesh a model of `RefinableTriangleMesh`
  * \tparam LoopRange a range of ranges of halfedges
  * \tparam OutputIterator an output iterator of `std::vector`s of halfedges

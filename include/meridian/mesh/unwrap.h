@@ -25,6 +25,8 @@ namespace meridian {
  * gives a connected triangle mesh texture coordinates in the unit square, without flipped faces; seams are edges of the
  * mesh (see `unwrap_surface()`).
  *
+ * \declared{meridian/unwrap.h}
+ *
  * \tparam TriangleMesh a model of `ReadableTriangleMesh`
  * \tparam HalfedgeUVMap a model of `WritablePropertyMap` from halfedges to points of the plane that are constructible
  *         from two numbers

@@ -21,6 +21,8 @@ namespace meridian {
  * recounts a cut of a mesh from the mesh as it was and as it is: that it is the same surface, divided, and that cutting
  * along the marked edges leaves one disc (see `verify_cut()`, which is given plain arrays made of the two).
  *
+ * \declared{meridian/verify.h}
+ *
  * \tparam InputMesh, TriangleMesh models of `ReadableTriangleMesh`
  * \tparam EdgeIsConstrainedMap a model of `ReadablePropertyMap` from edges to `bool`
  * \tparam NamedParameters a sequence of named parameters

@@ -4,6 +4,7 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/edge_places.h>
 
 #include <vector>
 
@@ -11,17 +12,15 @@ namespace meridian {
 
 /// \ingroup PkgMeridianSurface
 /// a point of a curve: on a vertex, or inside an edge.
-struct Curve_point
+struct Curve_point : Edge_place
 {
-  Index vertex = -1;   ///< the vertex, or -1 for a point inside an edge
-  Index halfedge = -1; ///< the halfedge by which the curve leaves a face
-  double t = 0;        ///< where on the halfedge, from its source (0) to its target (1)
-  Index node = -1;     ///< points of an edge with the same number from 0 on are one point, where curves meet
+  Index vertex = -1; ///< the vertex, or -1 for a point inside an edge
+  Index node = -1;   ///< points of an edge with the same number from 0 on are one point, where curves meet
 
   /// \param v a vertex \returns the point there
-  static Curve_point on_vertex(Index v) { return {v, -1, 0, -1}; }
+  static Curve_point on_vertex(Index v) { return {{}, v, -1}; }
   /// \param h the halfedge \param t where on it, from 0 to 1 \returns the point there, with a node of its own
-  static Curve_point on_edge(Index h, double t) { return {-1, h, t, -1}; }
+  static Curve_point on_edge(Index h, double t) { return {{h, t}, -1, -1}; }
   /// \returns whether it lies on a vertex
   bool is_vertex() const { return vertex >= 0; }
 };

@@ -4,6 +4,7 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/edge_places.h>
 
 #include <array>
 #include <functional>
@@ -21,14 +22,11 @@ class Crossing_store
 public:
   using Id = Index; ///< of a crossing
 
-  /// a crossing of a curve with an edge.
-  struct Crossing
+  /// a crossing in the chain of its curve.
+  struct Chained_crossing : Crossing
   {
-    Index halfedge; ///< by which the curve leaves a face
     Index curve;
     Id prev, next; ///< along the curve; -1 where an open curve ends
-    double t;      ///< fraction along the edge `surface().edge(halfedge)`
-    Index place;   ///< among the crossings of the edge
   };
   /// an end of an open curve.
   struct End
@@ -53,7 +51,7 @@ public:
   bool has_open_curves() const { return !m_ends.empty(); }
   /// \returns the curve that runs along an edge from end to end without a crossing, or -1
   Index along(Index edge) const;
-  const Crossing& operator[](Id x) const { return m_crossings[x]; }
+  const Chained_crossing& operator[](Id x) const { return m_crossings[x]; }
   Index edge(Id x) const { return m_surface.edge(m_crossings[x].halfedge); }
   void move(Id x, double t) { edit(x).t = t; }
   /// \returns the crossings of an edge, from the source of `edge` to its target
@@ -116,7 +114,7 @@ public:
 
   Index append_curve();
   Curve& edit_curve(Index c);
-  Crossing& edit(Id x);
+  Chained_crossing& edit(Id x);
   // A crossing at `place` among those of its edge.
   Id append(Index halfedge, Index curve, double t, Index place);
   // A crossing next to an end of its edge.
@@ -147,7 +145,7 @@ private:
   void put_along(Index e, Index curve);
 
   const Triangle_surface& m_surface;
-  std::vector<Crossing> m_crossings;
+  std::vector<Chained_crossing> m_crossings;
   std::vector<Curve> m_curves;
   std::vector<Index> m_slot; // of each edge: its list, or -1
   std::vector<std::vector<Id>> m_lists;

@@ -41,7 +41,6 @@ public:
   int run(const Tighten_options& options, const std::function<void()>& pause);
 
 private:
-  using Gap = Normal_curves::Gap;
   // Where a new curve may begin: at a vertex of the network or of the boundary, or at a crossing of a curve, which is
   // then moved to a vertex.
   struct Root
@@ -103,7 +102,7 @@ private:
   {
     std::array<Root, 2> roots;
     std::array<Index, 2> ends; // the vertices
-    std::vector<Normal_curves::Step> steps;
+    std::vector<Crossing> steps;
   };
   // What an exchange changes.
   struct Changes
@@ -112,7 +111,7 @@ private:
   };
 
   // The steps through the gaps of a way, of which `before` come before the face `between`.
-  std::vector<Normal_curves::Step> steps_along(const std::vector<Gap>& way, std::size_t before, Index between);
+  std::vector<Crossing> steps_along(const std::vector<Gap>& way, std::size_t before, Index between);
 
   // The curve of a candidate, if exchanges before this one have left it its way.
   std::optional<New_curve> find_new_curve(const Candidate& c);

@@ -25,7 +25,7 @@ namespace internal {
 // A closed strip of faces, and its class in the first homology of the closed model modulo 2.
 struct Dual_loop
 {
-  std::vector<Passing> crossings;
+  std::vector<Edge_place> crossings;
   double length, length_found;
   boost::dynamic_bitset<> parity;
 };
@@ -39,7 +39,7 @@ public:
 
   std::size_t rank() const { return m_edges.size(); }
 
-  boost::dynamic_bitset<> parity_of(const std::vector<Passing>& strip) const;
+  boost::dynamic_bitset<> parity_of(const std::vector<Edge_place>& strip) const;
 
 private:
   const Triangle_surface& m_surface;
@@ -58,7 +58,7 @@ std::vector<Dual_loop> choose_basis(std::vector<Dual_loop> loops, std::size_t wa
 // Candidates for a short basis: the loops that make one from each of several faces far apart, and others; of these the
 // shortest.
 std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std::size_t wanted,
-                                       const std::vector<std::vector<Passing>>& others, const Progress& progress);
+                                       const std::vector<std::vector<Edge_place>>& others, const Progress& progress);
 
 } // namespace internal
 } // namespace meridian

@@ -31,12 +31,12 @@ Surface_patch cut_patch(const Triangle_surface& s, const std::vector<Index>& fac
 
 // The edges that a closed polyline crosses once it is pushed a little to its left, off the vertices and edges that it
 // runs along. False if that would leave the surface.
-bool push_left(const Triangle_surface& s, const std::vector<Curve_point>& loop, std::vector<Passing>& crossings);
+bool push_left(const Triangle_surface& s, const std::vector<Curve_point>& loop, std::vector<Edge_place>& crossings);
 
 // A loop of flow lines.
 struct Flow_loop
 {
-  std::vector<Normal_curves::Step> steps;
+  std::vector<Crossing> steps;
   double length;
   Index saddle; // of the whole surface, or nearest to it
 };
@@ -48,10 +48,10 @@ std::vector<Flow_loop> find_flow_loops(const Normal_curves& curves, const Surfac
                                        Flow_tracer& tracer);
 
 // The same closed way, run backwards.
-std::vector<Normal_curves::Step> reversed(const Triangle_surface& s, std::vector<Normal_curves::Step> steps);
+std::vector<Crossing> reversed(const Triangle_surface& s, std::vector<Crossing> steps);
 
 // Adds a loop to curves, as it lies or reversed, if it crosses its partner once and nothing else.
-bool try_loop(Normal_curves& curves, Index curve, std::vector<Normal_curves::Step> steps);
+bool try_loop(Normal_curves& curves, Index curve, std::vector<Crossing> steps);
 
 } // namespace internal
 } // namespace meridian

@@ -19,10 +19,10 @@ namespace internal {
 // that passed farther from such a vertex come to lie nearer to it.
 //
 // `arcs`: how many pieces end on the boundary; `loops`: how many do not.
-std::vector<std::vector<Crossing>> project_from_filled(const Triangle_surface& root, const Filled_surface& filled,
-                                                       const Ordered_surface& m,
-                                                       const std::vector<const Contour*>& contours, int& arcs,
-                                                       int& loops);
+std::vector<std::vector<Piece_crossing>> project_from_filled(const Triangle_surface& root, const Filled_surface& filled,
+                                                             const Ordered_surface& m,
+                                                             const std::vector<const Contour*>& contours, int& arcs,
+                                                             int& loops);
 
 } // namespace internal
 

@@ -4,6 +4,7 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Refined_surface.h>
+#include <meridian/surface/edge_places.h>
 
 #include <array>
 #include <utility>
@@ -12,17 +13,17 @@
 namespace meridian {
 namespace internal {
 
-struct Edge_point
+// A new vertex inside an edge; `halfedge` is the edge.
+struct New_vertex : Edge_place
 {
-  Index edge;
-  double t;
   Index vertex;
-}; // a new vertex at fraction t of halfedge `edge`
+};
+// Two vertices on the rim of a face.
 struct Chord
 {
   Index face;
   Index from, to;
-}; // two vertices on the rim of a face
+};
 
 // A corner of the polygon that a face becomes. `sides` has a bit for each side of the face it lies on.
 struct Rim_vertex
@@ -45,7 +46,7 @@ void split_part(const std::vector<Point>& points, const Rim& whole,
                 const std::vector<std::pair<Index, Index>>& all_chords, Triangles& out);
 
 // Splits every face that holds a chord or has a new point on its rim, and repairs the twins around.
-void split_faces(Refined_surface& s, std::vector<Edge_point>& edge_points, std::vector<Chord>& chords,
+void split_faces(Refined_surface& s, std::vector<New_vertex>& new_vertices, std::vector<Chord>& chords,
                  Index& first_new_face, std::vector<Index>& parent);
 
 } // namespace internal
