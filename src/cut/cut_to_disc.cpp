@@ -38,7 +38,7 @@ void link(const Triangle_surface& root, const Cut_options& options, const std::v
   if (options.link_domain == Link_domain::PLANE)
   {
     std::vector<std::vector<Index>> lines;
-    cut.link_note = link_boundaries_in_plane(root, cut.surface, options.links.source, lines, options.solvers.symmetric);
+    cut.link_note = link_boundaries_in_plane(root, cut.surface, options.links.source, lines, options.solvers.laplace);
     cut.links_in_plane = cut.link_note.empty();
     add_curves(cut, Curve_kind::LINK, std::move(lines));
     if (cut.links_in_plane) { return; }

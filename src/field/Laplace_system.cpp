@@ -38,6 +38,7 @@ void Laplace_system::solve(const std::vector<Index>& unknown, int sides, const K
         throw Solver_error("the solution of the system is not finite; the symmetric positive weights are the safest");
       write(unknown[i], k, solution[i]);
     }
+    m_residual = solver->residual();
   }
 }
 
@@ -46,7 +47,9 @@ Sparse_matrix Laplace_system::assemble(const std::vector<Index>& unknown, const 
 {
   const Index n = static_cast<Index>(unknown.size());
   for (Index i = 0; i < n; ++i) { m_row[unknown[i]] = i; }
-  Sparse_matrix a(n);
+  std::size_t most = 0; // values
+  for (Index node : unknown) { most += m_graph.begin[node + 1] - m_graph.begin[node] + 1; }
+  Sparse_matrix a(n, most);
   std::vector<double> sum(right.size()), value(right.size());
   for (Index i = 0; i < n; ++i)
   {
@@ -59,13 +62,14 @@ Sparse_matrix Laplace_system::assemble(const std::vector<Index>& unknown, const 
       diagonal += w;
       if (m_row[neighbor] >= 0)
       {
-        a.add(i, m_row[neighbor], -w);
+        a.add(m_row[neighbor], -w);
         continue;
       }
       known(neighbor, value.data());
       for (std::size_t k = 0; k < right.size(); ++k) { sum[k] += w * value[k]; }
     }
-    a.add(i, i, diagonal);
+    a.add(i, diagonal);
+    a.end_row();
     for (std::size_t k = 0; k < right.size(); ++k) { right[k][i] = sum[k]; }
   }
   for (Index node : unknown) { m_row[node] = -1; }

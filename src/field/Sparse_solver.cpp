@@ -6,20 +6,54 @@
 #include <Eigen/CholmodSupport>
 #endif
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 namespace meridian {
 
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
 
-template <class Solver> class Eigen_solver : public Sparse_solver
+// Writes a matrix by columns: all of it, or its lower triangle.
+void copy_columns(const Sparse_matrix& a, bool is_lower, Matrix& to)
+{
+  const Index n = a.rows();
+  to.resize(n, n);
+  int* begin = to.outerIndexPtr();
+  std::fill(begin, begin + n + 1, 0);
+  for (Index row = 0; row < n; ++row)
+    for (Index k = a.begin(row); k < a.end(row) && !(is_lower && a.column(k) > row); ++k) { ++begin[a.column(k) + 1]; }
+  std::partial_sum(begin, begin + n + 1, begin);
+  to.resizeNonZeros(begin[n]);
+  std::vector<int> next(begin, begin + n);
+  for (Index row = 0; row < n; ++row)
+    for (Index k = a.begin(row); k < a.end(row) && !(is_lower && a.column(k) > row); ++k)
+    {
+      const int place = next[a.column(k)]++;
+      to.innerIndexPtr()[place] = row;
+      to.valuePtr()[place] = a.value(k);
+    }
+}
+
+bool have_same_pattern(const Matrix& a, const Matrix& b)
+{
+  return a.rows() == b.rows() && a.nonZeros() == b.nonZeros()
+         && std::equal(a.outerIndexPtr(), a.outerIndexPtr() + a.rows() + 1, b.outerIndexPtr())
+         && std::equal(a.innerIndexPtr(), a.innerIndexPtr() + a.nonZeros(), b.innerIndexPtr());
+}
+
+template <class Solver, bool is_symmetric> class Eigen_solver : public Sparse_solver
 {
 public:
   bool factor(const Sparse_matrix& a) override
   {
-    Matrix matrix(a.rows(), a.rows());
-    matrix.setFromTriplets(a.entries().begin(), a.entries().end());
-    m_solver.compute(matrix);
+    m_matrix.swap(m_last);
+    copy_columns(a, is_symmetric, m_matrix);
+    if (!m_is_ordered || !have_same_pattern(m_matrix, m_last)) { m_solver.analyzePattern(m_matrix); }
+    m_is_ordered = true;
+    m_solver.factorize(m_matrix);
     return m_solver.info() == Eigen::Success;
   }
   bool solve(const std::vector<double>& right, std::vector<double>& solution) override
@@ -33,10 +67,14 @@ public:
 
 protected:
   Solver m_solver;
+
+private:
+  Matrix m_matrix, m_last; // and that of the last factorization
+  bool m_is_ordered = false;
 };
 
 #ifdef MERIDIAN_HAS_CHOLMOD
-class Symmetric_solver : public Eigen_solver<Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>>
+class Symmetric_solver : public Eigen_solver<Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>, true>
 {
 public:
   Symmetric_solver()
@@ -48,7 +86,7 @@ public:
   }
 };
 #else
-using Symmetric_solver = Eigen_solver<Eigen::SimplicialLDLT<Matrix, Eigen::Lower>>;
+using Symmetric_solver = Eigen_solver<Eigen::SimplicialLDLT<Matrix, Eigen::Lower>, true>;
 #endif
 
 } // namespace
@@ -57,7 +95,7 @@ std::unique_ptr<Sparse_solver> make_symmetric_solver() { return std::make_unique
 
 std::unique_ptr<Sparse_solver> make_general_solver()
 {
-  return std::make_unique<Eigen_solver<Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>>>>();
+  return std::make_unique<Eigen_solver<Eigen::SparseLU<Matrix, Eigen::COLAMDOrdering<int>>, false>>();
 }
 
 } // namespace meridian

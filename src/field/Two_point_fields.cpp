@@ -27,9 +27,10 @@ Two_point_fields::Two_point_fields(const Triangle_surface& root, Make_solver mak
     for (Index e = g.begin[i]; e < g.begin[i + 1]; ++e)
     {
       diagonal += weights[g.halfedge[e]];
-      if (g.neighbor[e] + 1 < g.number_of_nodes) { a.add(i, g.neighbor[e], -weights[g.halfedge[e]]); }
+      if (g.neighbor[e] + 1 < g.number_of_nodes) { a.add(g.neighbor[e], -weights[g.halfedge[e]]); }
     }
-    a.add(i, i, diagonal);
+    a.add(i, diagonal);
+    a.end_row();
   }
   m_is_factored = m_solver->factor(a);
 }

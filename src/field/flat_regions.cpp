@@ -38,7 +38,8 @@ void solve_flat_regions(const Triangle_surface& s, const Closed_model& g, Laplac
                         std::vector<Index> nodes, Scalar_field& field)
 {
   const Closed_model& joined = system.graph();
-  constexpr double flat = 1e-11; // far above the rounding of the solution, far below what draws a smooth contour
+  // Far below what draws a smooth contour, and far above the rounding of the solution, or above what it leaves.
+  const double flat = std::max(1e-11, 0.1 * system.residual());
   std::vector<std::pair<Index, std::vector<Index>>> open; // a region and its nodes
   open.emplace_back(0, std::move(nodes));
   std::vector<Index> mark(g.number_of_nodes, -1); // the last region in which a node was found flat

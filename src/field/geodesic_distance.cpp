@@ -35,7 +35,12 @@ std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const st
   }
   std::vector<double> x(n, 0), diagonal = mass;
   if (rows == 0) { return x; }
-  Sparse_matrix a(rows);
+  struct Link
+  {
+    Index row, column;
+    double value;
+  };
+  std::vector<Link> links;
   for (Index h = 0; h < t.number_of_halfedges(); ++h)
   {
     const Index o = t.opposite[h];
@@ -46,14 +51,21 @@ std::vector<double> solve_on_vertices(const Intrinsic_triangulation& t, const st
     diagonal[u] += w;
     diagonal[v] += w;
     if (row[u] < 0 || row[v] < 0) { continue; }
-    a.add(row[u], row[v], -w);
-    a.add(row[v], row[u], -w);
+    links.push_back({row[u], row[v], -w});
+    links.push_back({row[v], row[u], -w});
   }
+  const Groups of_row = group_by(rows, static_cast<Index>(links.size()), [&](Index i) { return links[i].row; });
+  Sparse_matrix a(rows, links.size() + rows);
   std::vector<double> b(rows), solution;
   for (Index v = 0; v < n; ++v)
   {
     if (row[v] < 0) { continue; }
-    a.add(row[v], row[v], diagonal[v]);
+    for (Index i = of_row.begin[row[v]]; i < of_row.begin[row[v] + 1]; ++i)
+    {
+      a.add(links[of_row.element[i]].column, links[of_row.element[i]].value);
+    }
+    a.add(row[v], diagonal[v]);
+    a.end_row();
     b[row[v]] = right[v];
   }
   const auto solver = make_solver();

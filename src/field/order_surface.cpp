@@ -170,11 +170,11 @@ private:
     if (field.weights == Weights::INTRINSIC_DELAUNAY)
     {
       const Weighted_graph joined = make_intrinsic_delaunay_graph(s);
-      return solve_harmonic_field(s, g, joined.graph, joined.weights, prescribed, solvers.symmetric);
+      return solve_harmonic_field(s, g, joined.graph, joined.weights, prescribed, solvers.laplace);
     }
     const bool is_symmetric = field.weights != Weights::MEAN_VALUE;
     Scalar_field solved = solve_harmonic_field(s, g, edge_weights(s, field.weights), prescribed,
-                                               is_symmetric ? solvers.symmetric : solvers.general);
+                                               is_symmetric ? solvers.laplace : solvers.general);
     for (Index a = 0; a < g.number_of_nodes && !is_symmetric; ++a)
     {
       if (!(solved(a) > -1e-3 && solved(a) < 1 + 1e-3))

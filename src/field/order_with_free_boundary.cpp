@@ -116,8 +116,8 @@ private:
     {
       if (!is_known[v]) { unknown.push_back(v); }
     }
-    internal::Laplace_system system(
-      g, weights, m_harmonic->weights == Weights::MEAN_VALUE ? m_solvers.general : m_solvers.symmetric);
+    internal::Laplace_system system(g, weights,
+                                    m_harmonic->weights == Weights::MEAN_VALUE ? m_solvers.general : m_solvers.laplace);
     system.solve(
       unknown, [&](Index a) { return field.value[a]; }, field.value);
   }

@@ -38,8 +38,9 @@ Shifted_laplacian::Shifted_laplacian(const Closed_model& g, const std::vector<do
     const double m = mass[row] / m_total_mass;
     m_root[row] = std::sqrt(m);
     for (Index i = g.begin[row]; i < g.begin[row + 1]; ++i)
-      if (g.neighbor[i] != row) { a.add(row, g.neighbor[i], -weights[g.halfedge[i]] / unit); }
-    a.add(row, row, diagonal[row] / unit + shift * m);
+      if (g.neighbor[i] != row) { a.add(g.neighbor[i], -weights[g.halfedge[i]] / unit); }
+    a.add(row, diagonal[row] / unit + shift * m);
+    a.end_row();
   }
   if (!m_solver->factor(a))
     throw Solver_error("the Laplacian of " + std::to_string(n)

@@ -50,19 +50,27 @@ Rest_triangle rest_as_is(const std::array<Index, 3>& t, const std::vector<Plane_
   return r;
 }
 
+// The number of each vertex among those that move, or -1; four more are around it all, and stay.
+std::vector<Index> number_what_moves(const Triangle_surface& disc, bool has_free_border)
+{
+  std::vector<Index> row(static_cast<std::size_t>(disc.number_of_vertices()) + 4, -1);
+  Index rows = 0;
+  for (Index v = 0; v < disc.number_of_vertices(); ++v)
+  {
+    if (has_free_border || !disc.is_boundary_vertex(v)) { row[v] = rows++; }
+  }
+  return row;
+}
+
 } // namespace
 
 Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool has_free_border,
                                            std::vector<Plane_point>& at, Make_solver make_solver)
-  : m_at(at), m_make_solver(make_solver), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)),
-    m_row(at.size() + 4, -1)
+  : m_at(at), m_solver(make_solver()), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)),
+    m_hessian(number_what_moves(disc, has_free_border))
 {
   const auto loops = boundary_loops(disc);
   for (Index h : loops.front()) { m_loop.push_back(disc.source(h)); }
-  for (Index v = 0; v < disc.number_of_vertices(); ++v)
-  {
-    if (has_free_border || !disc.is_boundary_vertex(v)) { m_row[v] = m_rows++; }
-  }
   double image = 0;
   for (const Rest_triangle& t : m_faces)
   {
@@ -79,7 +87,7 @@ Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool ha
 
 double Distortion_minimizer::step()
 {
-  if (m_rows == 0) { return 0; }
+  if (m_hessian.number_of_unknowns() == 0) { return 0; }
   const std::size_t n = m_at.size();
   std::vector<Plane_point> with_box = m_at;
   // What is outside resists being squeezed. Its triangles are made anew for each step, so they can give way.
@@ -134,39 +142,18 @@ double Distortion_minimizer::energy(const std::vector<Plane_point>& at) const
   return sum;
 }
 
-double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move) const
+double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move)
 {
-  const std::size_t unknowns = 2 * static_cast<std::size_t>(m_rows);
-  Sparse_matrix hessian(static_cast<Index>(unknowns));
-  std::vector<double> right(unknowns, 0), solution;
-  double trace = 0;
-  const auto add = [&](const Rest_triangle& t) {
-    const Energy_derivatives d = derive_energy(t, gradient_of(t, at));
-    for (int k = 0; k < 6; ++k)
-    {
-      const Index row = m_row[t.corners[k / 2]] < 0 ? -1 : 2 * m_row[t.corners[k / 2]] + k % 2;
-      if (row < 0) { continue; }
-      right[row] -= t.weight * d.gradient[k];
-      for (int l = 0; l < 6; ++l)
-      {
-        const Index column = m_row[t.corners[l / 2]] < 0 ? -1 : 2 * m_row[t.corners[l / 2]] + l % 2;
-        if (column < 0 || column > row) { continue; }
-        double entry = 0;
-        for (const Hessian_mode& mode : d.modes) { entry += mode.lambda * mode.q[k] * mode.q[l]; }
-        hessian.add(row, column, t.weight * entry);
-        if (k == l) { trace += t.weight * entry; }
-      }
-    }
-  };
-  for (const Rest_triangle& t : m_faces) { add(t); }
-  for (const Rest_triangle& t : m_outside) { add(t); }
+  m_hessian.reset(m_faces, m_outside);
+  for (const auto* triangles : {&m_faces, &m_outside})
+    for (const Rest_triangle& t : *triangles) { m_hessian.add(t, derive_energy(t, gradient_of(t, at))); }
   // A little is added to the diagonal, and more if rounding made the matrix indefinite.
-  double added = 1e-12 * trace / static_cast<double>(unknowns);
+  const Index unknowns = m_hessian.number_of_unknowns();
+  double added = 1e-12 * m_hessian.trace() / unknowns;
   for (int tries = 0;; ++tries, added *= 100)
   {
-    for (std::size_t i = 0; i < unknowns; ++i) { hessian.add(i, i, added); }
-    const auto solver = m_make_solver();
-    if (solver->factor(hessian) && solver->solve(right, solution)) { break; }
+    m_hessian.add_to_diagonal(added);
+    if (m_solver->factor(m_hessian.matrix()) && m_solver->solve(m_hessian.downwards(), m_solution)) { break; }
     if (tries == 6)
       throw Solver_error(
         "the system of " + std::to_string(unknowns)
@@ -175,10 +162,10 @@ double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, 
   double slope = 0;
   for (std::size_t v = 0; v < m_at.size(); ++v)
   {
-    if (m_row[v] < 0) { continue; }
-    const std::size_t row = 2 * static_cast<std::size_t>(m_row[v]);
-    move[v] = {solution[row], solution[row + 1]};
-    slope -= move[v][0] * right[row] + move[v][1] * right[row + 1];
+    const Index row = m_hessian.unknown(static_cast<Index>(v));
+    if (row < 0) { continue; }
+    move[v] = {m_solution[row], m_solution[row + 1]};
+    slope -= move[v][0] * m_hessian.downwards()[row] + move[v][1] * m_hessian.downwards()[row + 1];
   }
   return slope;
 }

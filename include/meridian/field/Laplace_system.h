@@ -32,6 +32,8 @@ public:
                  Make_solver make_solver = make_symmetric_solver) = delete;
 
   const Closed_model& graph() const { return m_graph; }
+  // Of the last solution: see `Sparse_solver::residual()`
+  double residual() const { return m_residual; }
 
   // Writes the solution at the nodes `unknown` to `x`; `known(a)` is the value at any other node next to them.
   void solve(const std::vector<Index>& unknown, const std::function<double(Index)>& known, std::vector<double>& x);
@@ -46,6 +48,7 @@ private:
   const Closed_model& m_graph;
   const std::vector<double>& m_weights;
   Make_solver m_make_solver;
+  double m_residual = 0;
   std::vector<Index> m_row; // the equation of a node, -1 where it is known
 };
 

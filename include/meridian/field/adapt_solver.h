@@ -27,7 +27,8 @@ public:
   bool factor(const Sparse_matrix& a) override
   {
     m_matrix = std::make_unique<typename SolverTraits::Matrix>(a.rows());
-    for (const Sparse_matrix::Entry& e : a.entries()) { m_matrix->add_coef(e.row(), e.col(), e.value()); }
+    for (Index row = 0; row < a.rows(); ++row)
+      for (Index k = a.begin(row); k < a.end(row); ++k) { m_matrix->add_coef(row, a.column(k), a.value(k)); }
     return m_solver.factor(*m_matrix, m_denominator);
   }
   bool solve(const std::vector<double>& right, std::vector<double>& solution) override
@@ -40,6 +41,8 @@ public:
     for (std::size_t i = 0; i < n; ++i) { solution[i] = x[i] / m_denominator; }
     return true;
   }
+
+  std::string description() const override { return "a solver of the caller's"; }
 
 private:
   std::unique_ptr<typename SolverTraits::Matrix> m_matrix; // iterative solvers go on reading it

@@ -62,7 +62,7 @@ Scalar_field field_of_values(const Triangle_surface& root, const Refined_surface
  * \throws Invalid_input_error as `check()` does or if minima and maxima coincide, Solver_error if the field cannot be
  *   solved
  * \par Complexity
- * One factorization, \f$ O(n^{1.5}) \f$, and \f$ O(n \log n) \f$ beside it.
+ * One solution for the field (see `solve_harmonic_field()`), and \f$ O(n \log n) \f$ beside it.
  */
 Ordered_surface order_surface(const Triangle_surface& root, const Order_options& options, const Run_stage& run);
 

@@ -41,12 +41,12 @@ struct Dirichlet_value
  * \throws Solver_error if the system cannot be factorized or its solution is not finite
  *
  * \par Complexity
- * One assembly and one factorization, \f$ O(n^{1.5}) \f$ for a surface mesh; flat regions add one of their own size
- * each.
+ * One assembly and one solution: \f$ O(n) \f$ for a surface mesh with `make_laplace_solver()`, \f$ O(n^{1.5}) \f$ with a
+ * direct solver; flat regions add one of their own size each.
  */
 Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
                                   const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed,
-                                  Make_solver make_solver = make_symmetric_solver);
+                                  Make_solver make_solver = make_laplace_solver);
 
 /// \ingroup PkgMeridianOrder
 /// the same with the edges of the surface and weights as made by `edge_weights()`, one a halfedge.
@@ -55,7 +55,7 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model&
 inline Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g,
                                          const std::vector<double>& weights,
                                          const std::vector<Dirichlet_value>& prescribed,
-                                         Make_solver make_solver = make_symmetric_solver)
+                                         Make_solver make_solver = make_laplace_solver)
 {
   return solve_harmonic_field(s, g, g, weights, prescribed, make_solver);
 }

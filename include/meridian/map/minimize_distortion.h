@@ -6,8 +6,10 @@
 #include <meridian/base/vectors.h>
 #include <meridian/field/Sparse_solver.h>
 #include <meridian/map/internal/dirichlet_energy.h>
+#include <meridian/map/internal/distortion_hessian.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <memory>
 #include <vector>
 
 namespace meridian {
@@ -43,14 +45,14 @@ private:
   double energy(const std::vector<Plane_point>& at) const;
 
   // Newton's direction, and the slope along it.
-  double find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move) const;
+  double find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move);
 
   std::vector<Plane_point>& m_at;
-  Make_solver m_make_solver;
+  std::unique_ptr<Sparse_solver> m_solver; // one for all steps
   const bool m_has_free_border;
   std::vector<Rest_triangle> m_faces, m_outside;
-  std::vector<Index> m_row; // the number of a point among those that move, or -1
-  Index m_rows = 0;
+  Distortion_hessian m_hessian;
+  std::vector<double> m_solution;
   std::vector<Index> m_loop;
   double m_area = 0;
   double m_resistance = 0.01;

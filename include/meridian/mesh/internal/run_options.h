@@ -18,7 +18,7 @@ namespace internal {
 template <class NamedParameters> Solvers solvers_of(const NamedParameters& np, Solvers solvers = Solvers())
 {
   if_given(CGAL::parameters::get_parameter(np, CGAL::internal_np::sparse_linear_solver), [&](const auto& solver) {
-    solvers.symmetric = solvers.general = adapt_solver<std::decay_t<decltype(solver)>>;
+    solvers.symmetric = solvers.general = solvers.laplace = adapt_solver<std::decay_t<decltype(solver)>>;
   });
   return solvers;
 }
