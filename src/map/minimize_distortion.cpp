@@ -3,6 +3,7 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/map/constrained_triangulation.h>
+#include <meridian/map/internal/relax_locally.h>
 #include <meridian/map/is_one_to_one.h>
 #include <meridian/map/planar_map.h>
 
@@ -15,26 +16,35 @@ namespace meridian {
 
 namespace internal {
 
+Rest_triangle rest_triangle(const Triangle_surface& s, const std::array<Index, 3>& t, double least)
+{
+  int k = 0; // where the longest side begins
+  double longest = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double length = distance(s.points[t[i]], s.points[t[(i + 1) % 3]]);
+    if (length > longest)
+    {
+      longest = length;
+      k = i;
+    }
+  }
+  const std::array<Index, 3> corners{t[k], t[(k + 1) % 3], t[(k + 2) % 3]};
+  const double b = std::max(longest, least);
+  const Point e = s.points[corners[1]] - s.points[corners[0]], d = s.points[corners[2]] - s.points[corners[0]];
+  const double x = longest > 0 ? std::min(std::max(dot(e, d) / longest, 0.), b) : b / 2;
+  const double y = std::max(longest > 0 ? norm(meridian::cross(e, d)) / longest : 0, 1e-3 * b);
+  return make_rest_triangle(corners, b, x, y);
+}
+
 std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s)
 {
   double mean = 0;
   for (Index h = 0; h < s.number_of_halfedges(); ++h) { mean += s.length(h) / s.number_of_halfedges(); }
   if (!(mean > 0)) { mean = 1; }
   std::vector<Rest_triangle> rest;
-  for (Index f = 0; f < s.number_of_faces(); ++f)
-  {
-    Index base = 3 * f;
-    for (Index h = 3 * f; h < 3 * f + 3; ++h)
-    {
-      if (s.length(h) > s.length(base)) { base = h; }
-    }
-    const double longest = s.length(base), b = std::max(longest, 1e-4 * mean);
-    const Point e = s.points[s.target(base)] - s.points[s.source(base)],
-                d = s.points[s.apex(base)] - s.points[s.source(base)];
-    const double x = longest > 0 ? std::min(std::max(dot(e, d) / longest, 0.), b) : b / 2;
-    const double y = std::max(longest > 0 ? norm(meridian::cross(e, d)) / longest : 0, 1e-3 * b);
-    rest.push_back(make_rest_triangle({s.source(base), s.target(base), s.apex(base)}, b, x, y));
-  }
+  rest.reserve(s.number_of_faces());
+  for (const auto& t : s.triangles) { rest.push_back(rest_triangle(s, t, 1e-4 * mean)); }
   return rest;
 }
 
@@ -65,10 +75,11 @@ std::vector<Index> number_what_moves(const Triangle_surface& disc, bool has_free
 } // namespace
 
 Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool has_free_border,
-                                           std::vector<Plane_point>& at, Make_solver make_solver)
+                                           std::vector<Plane_point>& at, Make_solver make_solver, double resistance)
   : m_at(at), m_solver(make_solver()), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)),
-    m_hessian(number_what_moves(disc, has_free_border))
+    m_hessian(number_what_moves(disc, has_free_border)), m_resistance(resistance)
 {
+  for (Index v = 0; v < static_cast<Index>(at.size()) + 4; ++v) { m_may_move.push_back(m_hessian.unknown(v) >= 0); }
   const auto loops = boundary_loops(disc);
   for (Index h : loops.front()) { m_loop.push_back(disc.source(h)); }
   double image = 0;
@@ -85,18 +96,28 @@ Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool ha
   }
 }
 
+void Distortion_minimizer::surround(std::vector<Plane_point>& with_box)
+{
+  with_box = m_at;
+  m_outside.clear();
+  if (!m_has_free_border) { return; }
+  for (const auto& t : triangulate_outside(m_loop, with_box)) { m_outside.push_back(rest_as_is(t, with_box)); }
+  for (Rest_triangle& t : m_outside) { t.weight = m_resistance * m_area / static_cast<double>(m_outside.size()); }
+}
+
 double Distortion_minimizer::step()
 {
   if (m_hessian.number_of_unknowns() == 0) { return 0; }
   const std::size_t n = m_at.size();
-  std::vector<Plane_point> with_box = m_at;
-  // What is outside resists being squeezed. Its triangles are made anew for each step, so they can give way.
-  m_outside.clear();
-  if (m_has_free_border)
+  std::vector<Plane_point> with_box;
+  surround(with_box);
+  for (int rounds = m_is_first ? 3 : 1; rounds > 0; --rounds)
   {
-    for (const auto& t : triangulate_outside(m_loop, with_box)) { m_outside.push_back(rest_as_is(t, with_box)); }
+    relax_locally(m_faces, m_outside, m_may_move, with_box);
+    m_at.assign(with_box.begin(), with_box.begin() + n);
+    surround(with_box);
   }
-  for (Rest_triangle& t : m_outside) { t.weight = m_resistance * m_area / static_cast<double>(m_outside.size()); }
+  m_is_first = false;
   std::vector<Plane_point> move(with_box.size(), {0, 0});
   const double slope = find_direction(with_box, move);
   const double before = energy(m_at), gain = -slope / before;

@@ -7,6 +7,7 @@
 #include <meridian/field/edge_weights.h>
 #include <meridian/map/distortion.h>
 #include <meridian/map/internal/cgal_maps.h>
+#include <meridian/map/internal/map_by_levels.h>
 #include <meridian/map/is_one_to_one.h>
 #include <meridian/map/map_into_polygon.h>
 #include <meridian/map/map_with_low_stretch.h>
@@ -62,6 +63,14 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   {
     return internal::map_with_cgal(disc, method, border == Map_border::SQUARE, at);
   }
+  Distortion_options distortion;
+  distortion.has_free_border = border == Map_border::FREE;
+  distortion.make_solver = options.make_solver;
+  if (method == Map_method::SYMMETRIC_DIRICHLET && border == Map_border::FREE)
+  {
+    at = internal::map_by_levels(disc, distortion, progress);
+    if (!at.empty()) { return ""; }
+  }
   const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
   const auto loop = is_given ? options.loop : boundary_loops(disc).front();
   const auto places = places_along(disc, loop);
@@ -79,9 +88,6 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   {
     return "double precision is not enough for the map into a convex polygon that it begins with";
   }
-  Distortion_options distortion;
-  distortion.has_free_border = border == Map_border::FREE;
-  distortion.make_solver = options.make_solver;
   try
   {
     minimize_distortion(disc, at, distortion, progress);

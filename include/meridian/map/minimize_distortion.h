@@ -9,6 +9,7 @@
 #include <meridian/map/internal/distortion_hessian.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -27,21 +28,28 @@ struct Distortion_options
 
 namespace internal {
 
-// The shapes that faces should have in the plane: their own, if they have one. Faces that are all but degenerate are
-// made a little higher.
+// The shape that a face should have in the plane: its own, if it has one. A face that is all but degenerate is made a
+// little higher, and its longest side at least `least` long.
+Rest_triangle rest_triangle(const Triangle_surface& s, const std::array<Index, 3>& t, double least);
+// Those of all faces.
 std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s);
 
 // Newton's method on the map of a disc. Its border stays where it is, or moves and is kept a simple polygon.
 class Distortion_minimizer
 {
 public:
+  // `resistance`: that of what is outside to begin with, as a part of that of the disc.
   Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at,
-                       Make_solver make_solver = make_symmetric_solver);
+                       Make_solver make_solver = make_symmetric_solver, double resistance = 0.01);
 
   // Moves the points. Returns the part of the energy that the step could have gained, if nothing had been in its way.
   double step();
 
 private:
+  // Triangulates what is outside, which resists being squeezed. Its triangles are made anew for each step, so that they
+  // can give way. The corners of a box around it all are appended to the points.
+  void surround(std::vector<Plane_point>& with_box);
+
   double energy(const std::vector<Plane_point>& at) const;
 
   // Newton's direction, and the slope along it.
@@ -55,7 +63,9 @@ private:
   std::vector<double> m_solution;
   std::vector<Index> m_loop;
   double m_area = 0;
-  double m_resistance = 0.01;
+  double m_resistance;
+  std::vector<char> m_may_move; // of each vertex, and of the box
+  bool m_is_first = true;       // whether no step was made yet
 };
 
 } // namespace internal
@@ -68,8 +78,9 @@ private:
  * The symmetric Dirichlet energy (\cite smith2015) is minimized by Newton's method with the Hessian's negative
  * part left out (\cite smith2019). If the border may move, the plane outside of the image is triangulated and
  * resists too, so that it does not run into itself (\cite jiang2017). A step is taken only if no face is
- * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
- * thought scaled to the area that the image has at the beginning.
+ * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. Before each step
+ * vertices around which the energy is high are moved one by one: a few squeezed faces would make each step short. The
+ * surface is thought scaled to the area that the image has at the beginning.
  *
  * \param disc the surface
  * \param at the image of each vertex
