@@ -186,17 +186,14 @@ Disc_hierarchy::Disc_hierarchy(const Triangle_surface& disc, Index few)
   for (Index h = 0; h < disc.number_of_halfedges(); ++h) { lengths.push_back(disc.length(h)); }
   const double longest_of_all = *std::max_element(lengths.begin(), lengths.end());
   std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
-  Index wanted = disc.number_of_vertices() / 4; // on the next level
-  const auto begin_level = [&] {
-    m_levels.push_back({d.triangles(), m_removals.size()});
-    wanted = d.number_of_vertices() / 4;
-  };
   constexpr double growth = 1.25; // of edges, from one sweep to the next
   double longest = growth * lengths[lengths.size() / 2];
-  for (bool is_last = false; !is_last && d.number_of_vertices() > few; longest *= growth)
+  Index wanted = disc.number_of_vertices() / 4; // on the next level
+  const auto is_done = [&] { return 4 * wanted <= few; };
+  for (bool is_stuck = false; !is_stuck && !is_done(); longest *= growth)
   {
     const std::size_t before = m_removals.size();
-    for (Index v = 0; v < disc.number_of_vertices() && d.number_of_vertices() > few; ++v)
+    for (Index v = 0; v < disc.number_of_vertices() && !is_done(); ++v)
     {
       const Index i = d.is_removed(v) ? -1 : d.find_target(v, longest);
       if (i < 0) { continue; }
@@ -204,12 +201,15 @@ Disc_hierarchy::Disc_hierarchy(const Triangle_surface& disc, Index few)
       m_removals.push_back({v, ring[i], d.is_border(v), m_ring.size(), m_ring.size() + ring.size()});
       m_ring.insert(m_ring.end(), ring.begin(), ring.end());
       d.collapse(v, i);
-      if (d.number_of_vertices() == std::max(wanted, few)) { begin_level(); }
+      if (d.number_of_vertices() > wanted) { continue; }
+      m_levels.push_back({d.triangles(), m_removals.size()});
+      wanted /= 4;
     }
-    is_last = m_removals.size() == before && longest > 100 * longest_of_all;
+    is_stuck = m_removals.size() == before && longest > 100 * longest_of_all;
   }
-  if (m_removals.size() > m_levels.back().removals) { begin_level(); }
+  if (m_removals.size() > m_levels.back().removals) { m_levels.push_back({d.triangles(), m_removals.size()}); }
 }
 
 } // namespace internal
+
 } // namespace meridian

@@ -246,13 +246,16 @@ namespace {
 void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, const Distortion_options& options,
                       bool is_coarsest, const Progress& progress)
 {
-  Distortion_minimizer minimizer(s, true, at, options.make_solver, is_coarsest ? 1e-2 : 1e-3);
+  Distortion_minimizer minimizer(s, true, at, options.make_solver, !is_coarsest);
+  constexpr int patience = 4; // steps that gain next to nothing, in a row
+  int useless = 0;
   try
   {
-    for (int i = 0; i < options.iterations; ++i)
+    for (int i = 0; i < options.iterations && useless < patience; ++i)
     {
       if (progress) { progress(static_cast<double>(i) / options.iterations); }
       if (minimizer.step() < options.least_gain) { return; }
+      useless = minimizer.gained() < 0.2 * options.least_gain ? useless + 1 : 0;
     }
   }
   catch (const Solver_error&)
@@ -264,8 +267,10 @@ void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, c
 std::vector<Plane_point> map_by_levels(const Triangle_surface& disc, const Distortion_options& options,
                                        const Progress& progress)
 {
-  constexpr Index few = 500;
-  constexpr double coarse_gain = 5e-3; // of a step, before a finer level is begun
+  constexpr Index few = 8000, least = 15000; // vertices of the coarsest level, and of what is worth it
+  constexpr int near_steps = 40;             // at most, from a map that is near
+  constexpr double coarse_gain = 5e-3;       // of a step, before a finer level is begun
+  if (disc.number_of_vertices() < least) { return {}; }
   const Disc_hierarchy levels(disc, few);
   const std::size_t n = levels.number_of_levels();
   if (n < 2) { return {}; }
@@ -290,6 +295,7 @@ std::vector<Plane_point> map_by_levels(const Triangle_surface& disc, const Disto
     }
     if (!is_one_to_one(s, part)) { return {}; }
     Distortion_options here = options;
+    if (l + 1 < n) { here.iterations = std::min(options.iterations, near_steps); }
     if (l > 0) { here.least_gain = std::max(options.least_gain, coarse_gain); }
     lower_distortion(s, part, here, l + 1 == n, [&](double done) {
       if (progress) { progress((static_cast<double>(n - 1 - l) + done) / static_cast<double>(n)); }

@@ -75,9 +75,9 @@ std::vector<Index> number_what_moves(const Triangle_surface& disc, bool has_free
 } // namespace
 
 Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool has_free_border,
-                                           std::vector<Plane_point>& at, Make_solver make_solver, double resistance)
+                                           std::vector<Plane_point>& at, Make_solver make_solver, bool is_near)
   : m_at(at), m_solver(make_solver()), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)),
-    m_hessian(number_what_moves(disc, has_free_border)), m_resistance(resistance)
+    m_hessian(number_what_moves(disc, has_free_border)), m_is_near(is_near), m_resistance(is_near ? 0.001 : 0.01)
 {
   for (Index v = 0; v < static_cast<Index>(at.size()) + 4; ++v) { m_may_move.push_back(m_hessian.unknown(v) >= 0); }
   const auto loops = boundary_loops(disc);
@@ -105,21 +105,27 @@ void Distortion_minimizer::surround(std::vector<Plane_point>& with_box)
   for (Rest_triangle& t : m_outside) { t.weight = m_resistance * m_area / static_cast<double>(m_outside.size()); }
 }
 
+void Distortion_minimizer::relax(std::vector<Plane_point>& with_box)
+{
+  for (int rounds = m_is_first ? 3 : 1; rounds > 0; --rounds)
+  {
+    relax_locally(m_faces, m_outside, m_may_move, with_box);
+    m_at.assign(with_box.begin(), with_box.begin() + m_at.size());
+    surround(with_box);
+  }
+  m_is_first = false;
+}
+
 double Distortion_minimizer::step()
 {
   if (m_hessian.number_of_unknowns() == 0) { return 0; }
   const std::size_t n = m_at.size();
   std::vector<Plane_point> with_box;
   surround(with_box);
-  for (int rounds = m_is_first ? 3 : 1; rounds > 0; --rounds)
-  {
-    relax_locally(m_faces, m_outside, m_may_move, with_box);
-    m_at.assign(with_box.begin(), with_box.begin() + n);
-    surround(with_box);
-  }
-  m_is_first = false;
+  if (m_is_near && m_was_short) { relax(with_box); }
   std::vector<Plane_point> move(with_box.size(), {0, 0});
   const double slope = find_direction(with_box, move);
+  m_gained = 0;
   const double before = energy(m_at), gain = -slope / before;
   if (!(gain > 0)) { return 0; }
 
@@ -148,6 +154,8 @@ double Distortion_minimizer::step()
     {
       continue;
     }
+    m_gained = 1 - energy(next) / before;
+    m_was_short = length < 0.8;
     m_at.swap(next);
     if (length < 0.4) { m_resistance = std::min(8 * m_resistance, 100.); }
     if (length > 0.8) { m_resistance = std::max(m_resistance / 2, 1e-6); }

@@ -38,14 +38,21 @@ std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s);
 class Distortion_minimizer
 {
 public:
-  // `resistance`: that of what is outside to begin with, as a part of that of the disc.
+  // `is_near`: whether the map has the shape that it will have, but for small parts. Then what is outside resists less
+  // to begin with, and squeezed vertices are moved one by one before a step, if they were in the way of the last. From
+  // far away that would only crumple the border.
   Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at,
-                       Make_solver make_solver = make_symmetric_solver, double resistance = 0.01);
+                       Make_solver make_solver = make_symmetric_solver, bool is_near = false);
 
   // Moves the points. Returns the part of the energy that the step could have gained, if nothing had been in its way.
   double step();
+  // The part of the energy that the last step gained.
+  double gained() const { return m_gained; }
 
 private:
+  // Moves squeezed vertices.
+  void relax(std::vector<Plane_point>& with_box);
+
   // Triangulates what is outside, which resists being squeezed. Its triangles are made anew for each step, so that they
   // can give way. The corners of a box around it all are appended to the points.
   void surround(std::vector<Plane_point>& with_box);
@@ -63,9 +70,12 @@ private:
   std::vector<double> m_solution;
   std::vector<Index> m_loop;
   double m_area = 0;
-  double m_resistance;
+  const bool m_is_near;
+  double m_resistance;          // of what is outside, as a part of that of the disc
   std::vector<char> m_may_move; // of each vertex, and of the box
-  bool m_is_first = true;       // whether no step was made yet
+  double m_gained = 0;
+  bool m_was_short = true; // whether something was in the way of the last step
+  bool m_is_first = true;  // whether no step was made yet
 };
 
 } // namespace internal
@@ -78,9 +88,8 @@ private:
  * The symmetric Dirichlet energy (\cite smith2015) is minimized by Newton's method with the Hessian's negative
  * part left out (\cite smith2019). If the border may move, the plane outside of the image is triangulated and
  * resists too, so that it does not run into itself (\cite jiang2017). A step is taken only if no face is
- * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. Before each step
- * vertices around which the energy is high are moved one by one: a few squeezed faces would make each step short. The
- * surface is thought scaled to the area that the image has at the beginning.
+ * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
+ * thought scaled to the area that the image has at the beginning.
  *
  * \param disc the surface
  * \param at the image of each vertex

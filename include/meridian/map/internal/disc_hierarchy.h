@@ -27,7 +27,7 @@ public:
     std::size_t begin, end; // its neighbours: from there in `ring`, to before there
   };
 
-  // Levels of about a quarter of the vertices each, down to `few`, or to where no vertex can be taken out.
+  // Levels of a quarter of the vertices each, down to one of at most `few`, or to where no vertex can be taken out.
   Disc_hierarchy(const Triangle_surface& disc, Index few);
 
   std::size_t number_of_levels() const { return m_levels.size(); }
