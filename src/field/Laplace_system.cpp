@@ -39,6 +39,7 @@ void Laplace_system::solve(const std::vector<Index>& unknown, int sides, const K
       write(unknown[i], k, solution[i]);
     }
     m_residual = solver->residual();
+    m_description = solver->description();
   }
 }
 

@@ -24,6 +24,7 @@ Field_summary summarize_field(const Triangle_surface& root, const Ordered_surfac
 {
   Field_summary f;
   f.field_kind = m.field_name;
+  f.solver = m.field.solver;
   f.critical = m.critical;
   f.counts = count(m.critical);
   for (Critical_point& p : f.critical)

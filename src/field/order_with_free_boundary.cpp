@@ -120,6 +120,7 @@ private:
                                     m_harmonic->weights == Weights::MEAN_VALUE ? m_solvers.general : m_solvers.laplace);
     system.solve(
       unknown, [&](Index a) { return field.value[a]; }, field.value);
+    field.solver = system.description();
   }
 
   // The middle of each fan has the mean of its neighbours.

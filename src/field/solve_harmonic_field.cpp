@@ -35,6 +35,7 @@ Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model&
   internal::Laplace_system system(joined, weights, make_solver);
   system.solve(
     unknown, [&](Index a) { return field.value[a]; }, field.value);
+  field.solver = system.description();
   if (highest > lowest) { internal::solve_flat_regions(s, g, system, unknown, field); }
   return field;
 }

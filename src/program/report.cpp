@@ -63,10 +63,12 @@ namespace {
 
 Json report_field(const Field_summary& f, Weights weights)
 {
-  return {{"kind", f.field_kind},          {"weights", name_of(weights)},    {"mode", "closed"},
-          {"minima", f.counts.minima},     {"maxima", f.counts.maxima},      {"saddles", f.counts.saddles},
-          {"counted_on", "closed model"},  {"order_sweeps", f.order_rounds}, {"order_numbered", f.order_numbered},
-          {"flat_regions", f.flat_regions}};
+  Json field{{"kind", f.field_kind},          {"weights", name_of(weights)},    {"mode", "closed"},
+             {"minima", f.counts.minima},     {"maxima", f.counts.maxima},      {"saddles", f.counts.saddles},
+             {"counted_on", "closed model"},  {"order_sweeps", f.order_rounds}, {"order_numbered", f.order_numbered},
+             {"flat_regions", f.flat_regions}};
+  if (!f.solver.empty()) { field["solver"] = f.solver; }
+  return field;
 }
 
 Json report_seconds(const Stage_times& times)

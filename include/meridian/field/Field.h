@@ -114,6 +114,7 @@ void check(const Triangle_surface& s, const Field_options& options);
 struct Field_summary
 {
   std::string field_kind = "none";      ///< what it is called
+  std::string solver;                   ///< how it was solved for, in a few words; empty if it was given
   std::vector<double> field;            ///< at the vertices of the surface; empty where no field was needed
   std::vector<Critical_point> critical; ///< of the closed model, as vertices of the surface or -1
   Critical_counts counts;               ///< of these

@@ -7,6 +7,7 @@
 #include <meridian/surface/Closed_model.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace meridian {
@@ -32,8 +33,9 @@ public:
                  Make_solver make_solver = make_symmetric_solver) = delete;
 
   const Closed_model& graph() const { return m_graph; }
-  // Of the last solution: see `Sparse_solver::residual()`
+  // Of the last solution: see `Sparse_solver`
   double residual() const { return m_residual; }
+  const std::string& description() const { return m_description; }
 
   // Writes the solution at the nodes `unknown` to `x`; `known(a)` is the value at any other node next to them.
   void solve(const std::vector<Index>& unknown, const std::function<double(Index)>& known, std::vector<double>& x);
@@ -49,6 +51,7 @@ private:
   const std::vector<double>& m_weights;
   Make_solver m_make_solver;
   double m_residual = 0;
+  std::string m_description;
   std::vector<Index> m_row; // the equation of a node, -1 where it is known
 };
 

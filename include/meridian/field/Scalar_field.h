@@ -4,6 +4,7 @@
 
 #include <meridian/base/vectors.h>
 
+#include <string>
 #include <vector>
 
 namespace meridian {
@@ -27,6 +28,7 @@ struct Scalar_field
   std::vector<double> value;                            ///< of each node, in the scale of its region
   std::vector<Index> region;                            ///< of each node; empty while there is only one
   std::vector<Region> regions = std::vector<Region>(1); ///< parents before what they hold
+  std::string solver; ///< how the whole was solved for, in a few words; empty if it was given
 
   /// \param nodes how many; the field is 0
   explicit Scalar_field(Index nodes = 0) : value(nodes, 0) {}
