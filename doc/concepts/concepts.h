@@ -73,8 +73,8 @@ public:
  * from `meridian::Default_cut_traits` to replace one. Methods that have no loops to prefer, no ways along edges or no
  * level lines do not ask for them.
  *
- * Three ways lead to a preference of one's own. `meridian::Meridian_options::preference`, in the method that is chosen, is
- * the shortest, and takes a lambda. Traits are for several replacements that belong together, and stay when another
+ * Three ways lead to a preference of one's own. `meridian::Meridian_options::preference`, in the method that is chosen,
+ * is the shortest, and takes a lambda. Traits are for several replacements that belong together, and stay when another
  * method is chosen. A `CutMethod` is for what is no choice among level lines at all.
  *
  * A metric on edges measures ways along edges, which are all that `meridian::By_tree_cotree` cuts. Links and loops that

@@ -171,14 +171,14 @@ public:
   {
     m_direct.reset();
     m_iterative = std::make_unique<Conjugate_gradients>();
+    if (a.rows() < least_rows || !m_iterative->prepare(a)) { return factor_directly(a); }
     m_matrix = a;
-    if (a.rows() >= least_rows && m_iterative->prepare(a)) { return true; }
-    return factor_directly();
+    return true;
   }
   bool solve(const std::vector<double>& right, std::vector<double>& solution) override
   {
     if (m_iterative && m_iterative->solve(right, solution)) { return true; }
-    return (m_direct || factor_directly()) && m_direct->solve(right, solution);
+    return (m_direct || factor_directly(m_matrix)) && m_direct->solve(right, solution);
   }
 
   double residual() const override { return m_iterative ? Conjugate_gradients::tolerance : 0; }
@@ -190,11 +190,11 @@ public:
 private:
   static constexpr Index least_rows = 20000; // fewer are solved as fast directly
 
-  bool factor_directly()
+  bool factor_directly(const Sparse_matrix& a)
   {
     m_iterative.reset();
     m_direct = make_symmetric_solver();
-    const bool is_factored = m_direct->factor(m_matrix);
+    const bool is_factored = m_direct->factor(a);
     m_matrix = Sparse_matrix();
     return is_factored;
   }

@@ -10,6 +10,7 @@
 #include <meridian/map/map_into_polygon.h>
 #include <meridian/map/map_with_low_stretch.h>
 #include <meridian/map/planar_map.h>
+#include <meridian/surface/measures.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +59,8 @@ public:
     for (Index h = 0; h < disc.number_of_halfedges(); ++h) { m_mean += disc.length(h) / disc.number_of_halfedges(); }
   }
 
-  // Begins another level. `loop`: the border of the last; `scale`: what lengths in the plane are, in those of the surface.
+  // Begins another level. `loop`: the border of the last; `scale`: what lengths in the plane are, in those of the
+  // surface.
   void begin(const std::vector<Index>& loop, double scale)
   {
     m_scale = scale;
@@ -228,16 +230,6 @@ private:
   std::vector<Index> m_ring;
 };
 
-double area_of(const Triangle_surface& s)
-{
-  double sum = 0;
-  for (const auto& t : s.triangles)
-  {
-    sum += norm(meridian::cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]])) / 2;
-  }
-  return sum;
-}
-
 } // namespace
 
 namespace {
@@ -304,7 +296,7 @@ std::vector<Plane_point> map_by_levels(const Triangle_surface& disc, const Disto
     std::vector<Index> border;
     for (std::size_t i = 0; i < part.size(); ++i) { at[level.vertex[i]] = part[i]; }
     for (Index h : loop) { border.push_back(level.vertex[s.source(h)]); }
-    placer.begin(border, std::sqrt(area_of(s) / meridian::area_of(s.triangles, part)));
+    placer.begin(border, std::sqrt(area(s) / area_of(s.triangles, part)));
   }
   return part;
 }

@@ -48,11 +48,6 @@ public:
   double& value(Index place) { return m_values[place]; }
   /// \param row, column where a value is \returns its place. \pre there is one
   Index place(Index row, Index column) const;
-  /// \param other a matrix \returns whether values are at the same places in both
-  bool has_pattern_of(const Sparse_matrix& other) const
-  {
-    return m_begin == other.m_begin && m_columns == other.m_columns;
-  }
 
 private:
   std::vector<Index> m_begin; // of each row, and the end

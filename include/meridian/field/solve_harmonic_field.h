@@ -41,8 +41,8 @@ struct Dirichlet_value
  * \throws Solver_error if the system cannot be factorized or its solution is not finite
  *
  * \par Complexity
- * One assembly and one solution: \f$ O(n) \f$ for a surface mesh with `make_laplace_solver()`, \f$ O(n^{1.5}) \f$ with a
- * direct solver; flat regions add one of their own size each.
+ * One assembly and one solution: \f$ O(n) \f$ for a surface mesh with `make_laplace_solver()`, \f$ O(n^{1.5}) \f$ with
+ * a direct solver; flat regions add one of their own size each.
  */
 Scalar_field solve_harmonic_field(const Triangle_surface& s, const Closed_model& g, const Closed_model& joined,
                                   const std::vector<double>& weights, const std::vector<Dirichlet_value>& prescribed,
