@@ -3,9 +3,9 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/curves/chords.h>
-#include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
+#include <cstddef>
 
 namespace meridian {
 
@@ -48,70 +48,72 @@ void reduce(Gap_walk& walk)
 
 Crossing_loop Crossing_loop_search::find(Index m)
 {
-  std::map<Gap, Index> source, target; // the crossing of `m` beside it
-  for (Index x : m_curves.crossings(m))
+  const Way way = search(m);
+  if (way.region < 0 && way.nodes[LEFT] < 0)
   {
-    source.emplace(gap_beside(m_curves, x, true), x);
-    target.emplace(gap_beside(m_curves, x, false), x);
+    throw Internal_error("find_crossing_loop: the two sides of a curve cannot be joined");
   }
-  const Gap end = search(source, target);
-  if (end.edge < 0) { throw Internal_error("find_crossing_loop: the two sides of a curve cannot be joined"); }
-  return close(end, source.at(walk_to(end).stops.front().gap), target.at(end));
+  double length = 0;
+  const Gap_walk walk = walk_along(way, length);
+  const std::vector<Index> crossings = m_curves.crossings(m);
+  const auto crossing_beside = [&](const Gap& g, bool is_left) {
+    return *std::find_if(crossings.begin(), crossings.end(),
+                         [&](Index x) { return gap_beside(m_curves, x, is_left) == g; });
+  };
+  return close(walk, length, crossing_beside(walk.stops.front().gap, true),
+               crossing_beside(walk.stops.back().gap, false));
 }
 
-Gap Crossing_loop_search::search(const std::map<Gap, Index>& source, const std::map<Gap, Index>& target)
+Crossing_loop_search::Way Crossing_loop_search::search(Index m)
 {
-  m_reached.forget();
-  Nearest_first<Gap> queue;
-  for (const auto& [gap, x] : source)
-  {
-    m_reached[gap].distance = 0;
-    queue.reach(0, gap);
-  }
-  Gap end{-1, -1};
-  queue.search([&](double at, const Gap& gap) {
-    Reached& here = m_reached[gap];
-    if (here.is_done) { return false; }
-    here.is_done = true;
-    if (target.count(gap))
+  m_graph.clear();
+  Way way;
+  for (const Side side : {LEFT, RIGHT})
+    for (Index x : m_curves.crossings(m))
     {
-      end = gap;
-      return true;
+      const Gap_graph::Node n = m_graph.node(gap_beside(m_curves, x, side == LEFT));
+      m_graph.start(n, 0, side);
+      if (m_graph.reached(n).root != side) { way = {0, {n, n}, -1}; } // where the curve turns back on an edge
     }
-    const Point from = point(gap);
-    for (Index h : {gap.edge, m_surface.opposite[gap.edge]})
-    {
-      // what lies in the face before was reached from there
-      if (h < 0 || m_surface.face(h) == here.face) { continue; }
-      for_each_gap_around(m_curves, gap, m_surface.face(h), [&](const Gap& to, Index) {
-        if (m_surface.opposite[to.edge] < 0 || to == gap) { return; }
-        Reached& there = m_reached[to];
-        const double d = at + distance(from, point(to));
-        if (there.is_done || !(d < there.distance)) { return; }
-        there = {d, gap, m_surface.face(h), m_reached.run(), false};
-        queue.reach(d, to);
-      });
-    }
-    return false;
+  double farthest = way.length / 2;
+  m_graph.grow(farthest, [&](Gap_graph::Node n, Gap_graph::Node to, Index region, double length) {
+    if (!(length < way.length)) { return; }
+    const bool is_right = m_graph.reached(n).root == RIGHT;
+    way = {length, {is_right ? to : n, is_right ? n : to}, region};
+    farthest = length / 2;
   });
-  return end;
+  return way;
 }
 
-Gap_walk Crossing_loop_search::walk_to(const Gap& end)
+Gap_walk Crossing_loop_search::walk_along(const Way& way, double& length)
 {
   Gap_walk walk;
-  auto& stops = walk.stops;
-  for (Gap g = end;; g = m_reached[g].from)
+  std::vector<Gap_graph::Node> nodes;
+  const auto add = [&](Gap_graph::Node n, Index region) {
+    nodes.push_back(n);
+    walk.stops.push_back({m_graph.gap(n), region < 0 ? -1 : m_graph.face(region)});
+  };
+  Index after = way.region;
+  for (Gap_graph::Node n = way.nodes[LEFT]; n >= 0; n = m_graph.reached(n).from)
   {
-    stops.push_back({g, m_reached[g].face}); // for now the face before it
-    if (m_reached[g].face < 0) { break; }
+    add(n, after);
+    after = m_graph.reached(n).region;
   }
-  std::reverse(stops.begin(), stops.end());
-  for (std::size_t i = 0; i + 1 < stops.size(); ++i) { stops[i].face_after = stops[i + 1].face_after; }
+  std::reverse(walk.stops.begin(), walk.stops.end());
+  std::reverse(nodes.begin(), nodes.end());
+  for (Gap_graph::Node n = way.nodes[RIGHT]; n >= 0 && way.region >= 0; n = m_graph.reached(n).from)
+  {
+    add(n, m_graph.reached(n).region);
+  }
+  length = 0;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
+  {
+    length += distance(m_graph.point(nodes[i]), m_graph.point(nodes[i + 1]));
+  }
   return walk;
 }
 
-Crossing_loop Crossing_loop_search::close(const Gap& end, Index first, Index last)
+Crossing_loop Crossing_loop_search::close(Gap_walk walk, double across, Index first, Index last)
 {
   const auto way = [&](bool forward) {
     double length = 0;
@@ -124,7 +126,6 @@ Crossing_loop Crossing_loop_search::close(const Gap& end, Index first, Index las
     }
     return length;
   };
-  Gap_walk walk = walk_to(end);
   auto& stops = walk.stops;
   const double onward = way(true), backward = way(false);
   const bool forward = onward <= backward;
@@ -138,7 +139,7 @@ Crossing_loop Crossing_loop_search::close(const Gap& end, Index first, Index las
   }
   reduce(walk);
 
-  Crossing_loop loop{{}, m_reached[end].distance + std::min(onward, backward)};
+  Crossing_loop loop{{}, across + std::min(onward, backward)};
   for (std::size_t i = 0; i < stops.size(); ++i)
   {
     const Index face = stops[(i + stops.size() - 1) % stops.size()].face_after;

@@ -66,7 +66,8 @@ bool is_monotone(const Refined_surface& s, const std::vector<Index>& loop, const
 
 // The saddle that a longitude turns at on the far side of its handle: of the two extremes of the field along it, the
 // one farther from the meridian's saddle lies beyond it. Returns a vertex of `m.surface`.
-Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curves, Index longitude, Index saddle)
+Index find_far_saddle(const Ordered_surface& m, const std::vector<Critical_point>& critical, const Normal_curves& curves,
+                      Index longitude, Index saddle)
 {
   const Triangle_surface& root = curves.surface();
   Index low = m.order.nodes.size(), high = -1;
@@ -79,7 +80,7 @@ Index find_far_saddle(const Ordered_surface& m, const Normal_curves& curves, Ind
   const Index at = m.rank[saddle];
   const bool upwards = high - at > at - low;
   Index best = -1;
-  for (const Critical_point& p : find_critical_points(m.surface, m.rank))
+  for (const Critical_point& p : critical)
   {
     const Index r = m.rank[p.vertex];
     if (p.kind != Critical_kind::SADDLE || r == at || (upwards ? r > high || r < at : r < low || r > at)) { continue; }
@@ -162,9 +163,10 @@ public:
       return flow && flow->add(i, arc, m_result.pairs[i]);
     });
     check_contract(m_curves);
+    const std::vector<Critical_point> critical = find_critical_points(m_ordered.surface, m_ordered.rank);
     for (int i = 0; i < genus(); ++i)
     {
-      m_saddles[i].second = find_far_saddle(m_ordered, m_curves, 2 * i + 1, m_saddles[i].first);
+      m_saddles[i].second = find_far_saddle(m_ordered, critical, m_curves, 2 * i + 1, m_saddles[i].first);
       Generator_curve& longitude = m_result.pairs[i].longitude;
       if (m_saddles[i].second >= 0 && longitude.saddle < 0)
       {

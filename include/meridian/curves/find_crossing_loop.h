@@ -3,14 +3,12 @@
 #define MERIDIAN_CURVES_FIND_CROSSING_LOOP_H
 
 #include <meridian/base/vectors.h>
-#include <meridian/curves/Gap_records.h>
+#include <meridian/curves/Gap_graph.h>
 #include <meridian/curves/Normal_curves.h>
-#include <meridian/curves/chords.h>
 #include <meridian/surface/Triangle_surface.h>
 
-#include <cstdint>
+#include <array>
 #include <limits>
-#include <map>
 #include <vector>
 
 namespace meridian {
@@ -33,12 +31,12 @@ struct Crossing_loop
   double length;
 };
 
-// Searches for loops; keeps its memory from one search to the next.
+// Searches for loops; keeps what it knows of the gaps from one search to the next.
 class Crossing_loop_search
 {
 public:
   explicit Crossing_loop_search(const Normal_curves& curves)
-    : m_curves(curves), m_surface(curves.surface()), m_reached(curves)
+    : m_curves(curves), m_surface(curves.surface()), m_graph(curves)
   {}
 
   explicit Crossing_loop_search(Normal_curves&& curves) = delete;
@@ -48,30 +46,31 @@ public:
   // separate the surface cut along the others there is one.
   Crossing_loop find(Index m);
 
+  // Takes notice of a curve that was added since.
+  void note_added(Index curve) { m_graph.forget_around(curve); }
+
 private:
-  struct Reached
+  enum Side : Index { LEFT, RIGHT };
+  // The shortest way known from one side to the other: two nodes on one region, reached from the two sides.
+  struct Way
   {
-    double distance = std::numeric_limits<double>::infinity();
-    Gap from{-1, -1};
-    Index face = -1;
-    std::uint32_t run = 0; // the search that this belongs to
-    bool is_done = false;
+    double length = std::numeric_limits<double>::infinity();
+    std::array<Gap_graph::Node, 2> nodes{-1, -1};
+    Index region = -1;
   };
 
-  Point point(const Gap& g) const { return m_surface.point_on(g.edge, middle_of(m_curves, g)); }
+  Way search(Index m);
 
-  // Dijkstra's algorithm on gaps; two are neighbours if they lie on one region of a face.
-  Gap search(const std::map<Gap, Index>& source, const std::map<Gap, Index>& target);
-
-  Gap_walk walk_to(const Gap& end);
+  // The way as a walk from the left side to the right side, and its length.
+  Gap_walk walk_along(const Way& way, double& length);
 
   // Goes back from beside crossing `last` to beside crossing `first` along the right side of their curve, the shorter
   // way round.
-  Crossing_loop close(const Gap& end, Index first, Index last);
+  Crossing_loop close(Gap_walk walk, double across, Index first, Index last);
 
   const Normal_curves& m_curves;
   const Triangle_surface& m_surface;
-  Gap_records<Reached> m_reached;
+  Gap_graph m_graph;
 };
 
 } // namespace internal

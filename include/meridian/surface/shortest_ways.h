@@ -23,6 +23,7 @@ public:
   void reach(double distance, const Place& place) { m_queue.push({distance, place}); }
 
   bool is_empty() const { return m_queue.empty(); }
+  void clear() { m_queue = {}; }
   double nearest() const { return m_queue.top().distance; }
 
   // Takes the nearest out.

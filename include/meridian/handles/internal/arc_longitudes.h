@@ -61,6 +61,7 @@ void add_shortest_longitudes(Normal_curves& curves, Index pairs, const Stage_run
       }
     }
     if (!take_flow(i, loops[i])) { curves.add(2 * i + 1, loops[i].steps); }
+    searcher.note_added(2 * i + 1);
     loops[i].steps.clear();
     run.progress(Stage::LONGITUDES, (pairs + ++done) / (2. * pairs));
   }
