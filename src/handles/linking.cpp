@@ -11,8 +11,10 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -40,23 +42,43 @@ std::vector<Index> walk_on_root(const Triangle_surface& root, const Refined_surf
   return walk;
 }
 
+// Of a surface as large as m, a determinant is made of sums of six differences up to m, or of six projected places up to
+// 2 m, each with an error of less than 64 roundings of numbers of size m. What this comes to, times what it is multiplied
+// with, is for a side less than 2^15 roundings of m^2, and for a volume less than 2^20 roundings of m^3.
+Exact_signs::Exact_signs(const Triangle_surface& s) : m_surface(s)
+{
+  double m = 0;
+  Point corner;
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto [low, high] = std::minmax_element(s.points.begin(), s.points.end(),
+                                                 [&](const Point& p, const Point& q) { return p[k] < q[k]; });
+    m = std::max(m, (*high)[k] - (*low)[k]);
+    corner[k] = (*low)[k];
+  }
+  for (const Point& p : s.points)
+  {
+    const Point d = p - corner;
+    m_seen.push_back({d[0] - direction[0] * d[2], d[1] - direction[1] * d[2]});
+  }
+  constexpr double rounding = std::numeric_limits<double>::epsilon(); // in whatever direction
+  m_sure_side = rounding * (1 << 15) * m * m;
+  m_sure_volume = rounding * (1 << 20) * m * m * m;
+}
+
 int Exact_signs::side(const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) const
 {
-  using I = CGAL::Interval_nt<false>;
-  const auto n = normal<I>(a, b, a, q);
-  for (int k : {2, 0, 1})
+  const double fast = (b.seen[0] - a.seen[0]) * (q.seen[1] - a.seen[1])
+                      - (b.seen[1] - a.seen[1]) * (q.seen[0] - a.seen[0]);
+  if (fast > m_sure_side) { return 1; }
+  if (fast < -m_sure_side) { return -1; }
+  const auto v = along(normal<CGAL::Interval_nt<false>>(a, b, a, q));
+  if (v.inf() > 0) { return 1; }
+  if (v.sup() < 0) { return -1; }
+  const auto n = normal<CGAL::Exact_rational>(a, b, a, q);
+  for (const CGAL::Exact_rational& x : {CGAL::Exact_rational(along(n)), n[0], n[1]})
   {
-    if (n[k].inf() > 0) { return 1; }
-    if (n[k].sup() < 0) { return -1; }
-    if (!(n[k].inf() == 0 && n[k].sup() == 0))
-    {
-      const auto exact = normal<CGAL::Exact_rational>(a, b, a, q);
-      for (int i : {2, 0, 1})
-      {
-        if (exact[i] != 0) { return exact[i] > 0 ? 1 : -1; }
-      }
-      return 0;
-    }
+    if (x != 0) { return x > 0 ? 1 : -1; }
   }
   return 0;
 }
@@ -69,6 +91,9 @@ int Exact_signs::volume(const Weighted_point& a, const Weighted_point& b, const 
     const auto n = normal<N>(a, b, p, q), d = difference<N>(a, r);
     return N(n[0] * d[0] + n[1] * d[1] + n[2] * d[2]);
   };
+  const double fast = of(0.);
+  if (fast > m_sure_volume) { return 1; }
+  if (fast < -m_sure_volume) { return -1; }
   const auto v = of(CGAL::Interval_nt<false>(0));
   if (v.inf() > 0) { return 1; }
   if (v.sup() < 0) { return -1; }
@@ -99,15 +124,19 @@ namespace {
 
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 2, Index>;
 
-// The box of some vertices in the projection.
+// The box of some vertices, seen along the direction, and a little more.
 Box box_of(const Triangle_surface& s, std::initializer_list<Index> vertices, Index info)
 {
   CGAL::Bbox_2 box;
-  for (Index v : vertices) { box += CGAL::Bbox_2(s.points[v][0], s.points[v][1], s.points[v][0], s.points[v][1]); }
+  for (Index v : vertices)
+  {
+    const Point& p = s.points[v];
+    const CGAL::Interval_nt<false> x = p[0] - CGAL::Interval_nt<false>(Exact_signs::direction[0]) * p[2],
+                                   y = p[1] - CGAL::Interval_nt<false>(Exact_signs::direction[1]) * p[2];
+    box += CGAL::Bbox_2(x.inf(), y.inf(), x.sup(), y.sup());
+  }
   return Box(box, info);
 }
-
-Weighted_point vertex_point(Index v) { return {v, v, v, v, v, v}; }
 
 // Counts by edge how a loop through faces that crosses the edge passes over walks, seen in the projection.
 class Linking_count
@@ -165,9 +194,9 @@ private:
   bool count_at(const Step& step)
   {
     const Index e = step.halfedge, own = m_surface.edge(e), o = m_surface.opposite[e];
-    const Weighted_point a = vertex_point(m_surface.source(e)), b = vertex_point(m_surface.target(e));
+    const Weighted_point a = m_signs.vertex(m_surface.source(e)), b = m_signs.vertex(m_surface.target(e));
     m_crossed[step.walk][own] += own == e ? 1 : -1;
-    const Weighted_point left_apex = vertex_point(m_surface.apex(e)), right_apex = vertex_point(m_surface.apex(o));
+    const Weighted_point left_apex = m_signs.vertex(m_surface.apex(e)), right_apex = m_signs.vertex(m_surface.apex(o));
     const int left_up = m_signs.side(a, b, left_apex), right_up = -m_signs.side(a, b, right_apex);
     const int fold = m_signs.volume(a, b, a, left_apex, right_apex);
     if (left_up == 0 || right_up == 0 || (left_up != right_up && fold == 0)) { return false; }
@@ -180,19 +209,19 @@ private:
   {
     const Triangle_surface& s = m_surface;
     const Index e = step.halfedge;
-    const Weighted_point a = vertex_point(s.source(e)), b = vertex_point(s.target(e));
+    const Weighted_point a = m_signs.vertex(s.source(e)), b = m_signs.vertex(s.target(e));
     const auto left = [&](const Weighted_point& from, const Weighted_point& to, const Weighted_point& q) {
       return m_signs.side(from, to, q) >= 0;
     };
     const auto& t = s.triangles[f];
-    const Weighted_point centre{t[0], t[0], t[1], t[1], t[2], t[2]};
+    const Weighted_point centre = m_signs.centre(t[0], t[1], t[2]);
     const bool centre_left = left(a, b, centre);
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
       if (s.edge(h) == s.edge(e)) { continue; }
       // the same from both faces
-      const Index u = std::min(s.source(h), s.target(h)), v = std::max(s.source(h), s.target(h));
-      const Weighted_point middle{u, u, u, v, v, v};
+      const Weighted_point middle =
+        m_signs.middle(std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h)));
       const bool middle_left = left(a, b, middle);
       if (middle_left == centre_left || left(centre, middle, a) == left(centre, middle, b)) { continue; }
       const int turn = middle_left ? 1 : -1; // from the centre outwards

@@ -16,18 +16,33 @@ namespace internal {
 // A curve on a refined surface, pushed to the nearest corners of the faces of the root: a closed walk of its halfedges.
 std::vector<Index> walk_on_root(const Triangle_surface& root, const Refined_surface& s, const std::vector<Index>& loop);
 
-// Points as sums of three vertices: exact where they must be.
-// a vertex is (v,v,v,v,v,v), a midpoint (v,v,v,w,w,w), a centre (u,u,v,v,w,w)
-using Weighted_point = std::array<Index, 6>;
+// A point as a sum of six vertices, exact where it must be: a vertex is (v,v,v,v,v,v), a midpoint (v,v,v,w,w,w), a
+// centre (u,u,v,v,w,w).
+struct Weighted_point
+{
+  std::array<Index, 6> vertices;
+  std::array<double, 2> seen; // about where, along the direction of projection
+};
 
-// Signs of determinants of such points, from intervals, and from rational numbers where these do not tell.
+// Signs of determinants of such points: from floating-point numbers where these are sure, from intervals where they
+// tell, from rational numbers otherwise.
 class Exact_signs
 {
 public:
-  explicit Exact_signs(const Triangle_surface& s) : m_surface(s) {}
+  // The surface is seen along this direction: no edge and no face of a mesh whose vertices lie on a grid stands upright.
+  static constexpr std::array<double, 3> direction{0.29289321881345254, 0.41421356237309515, 1};
 
-  // Which side of the plane through line ab and the direction of projection q lies on: 1 on the left, seen against the
-  // direction, which is (e, e^2, 1) for an infinitely small e. 0 if and only if the three lie on a line.
+  explicit Exact_signs(const Triangle_surface& s);
+
+  Weighted_point vertex(Index v) const { return {{v, v, v, v, v, v}, sum(6, m_seen[v])}; }
+  Weighted_point middle(Index v, Index w) const { return {{v, v, v, w, w, w}, sum(3, m_seen[v], m_seen[w])}; }
+  Weighted_point centre(Index u, Index v, Index w) const
+  {
+    return {{u, u, v, v, w, w}, sum(2, m_seen[u], m_seen[v], m_seen[w])};
+  }
+
+  // Which side of the plane through line ab and the direction q lies on: 1 on the left, seen against the direction,
+  // to which (e, e^2, 0) is added for an infinitely small e. 0 if and only if the three lie on a line.
   int side(const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) const;
   // The sign of the volume of (b - a, q - p, r - a).
   int volume(const Weighted_point& a, const Weighted_point& b, const Weighted_point& p, const Weighted_point& q,
@@ -36,6 +51,11 @@ public:
   int enclosed() const;
 
 private:
+  using Seen = std::array<double, 2>;
+  static Seen sum(double weight, const Seen& a, const Seen& b = {0, 0}, const Seen& c = {0, 0})
+  {
+    return {weight * (a[0] + b[0] + c[0]), weight * (a[1] + b[1] + c[1])};
+  }
   template <class N> std::array<N, 3> position(Index v) const
   {
     const Point& p = m_surface.points[v];
@@ -46,8 +66,8 @@ private:
     std::array<N, 3> d{N(0), N(0), N(0)};
     for (std::size_t i = 0; i < 6; ++i)
     {
-      if (from[i] == to[i]) { continue; }
-      const auto p = position<N>(from[i]), q = position<N>(to[i]);
+      if (from.vertices[i] == to.vertices[i]) { continue; }
+      const auto p = position<N>(from.vertices[i]), q = position<N>(to.vertices[i]);
       for (int k = 0; k < 3; ++k) { d[k] += q[k] - p[k]; }
     }
     return d;
@@ -60,7 +80,14 @@ private:
     return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
   }
 
+  template <class N> static N along(const std::array<N, 3>& v)
+  {
+    return v[0] * N(direction[0]) + v[1] * N(direction[1]) + v[2];
+  }
+
   const Triangle_surface& m_surface;
+  std::vector<Seen> m_seen; // the vertices, projected
+  double m_sure_side, m_sure_volume; // a floating-point determinant beyond has the right sign
 };
 
 // On which sides of the surface a walk bounds.
