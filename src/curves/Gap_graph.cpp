@@ -46,6 +46,11 @@ Index Gap_graph::trace_region(Node n, Index face)
 void Gap_graph::forget_around(Index curve)
 {
   for (Index x : m_curves.crossings(curve)) { forget_edge(m_curves.edge(x)); }
+  if (2 * m_forgotten < m_nodes.size()) { return; }
+  m_first.assign(m_first.size(), -1);
+  m_nodes.clear();
+  m_members.clear();
+  m_forgotten = 0;
 }
 
 void Gap_graph::forget_edge(Index edge)
@@ -60,6 +65,10 @@ void Gap_graph::forget_edge(Index edge)
         m_nodes[n].regions[m_surface.face(e) != m_surface.face(side)] = -1;
       }
     }
+  for (Node n = m_first[edge]; n >= 0 && n < static_cast<Node>(m_nodes.size()) && m_nodes[n].gap.edge == edge; ++n)
+  {
+    ++m_forgotten;
+  }
   m_first[edge] = -1;
 }
 

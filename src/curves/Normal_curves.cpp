@@ -51,6 +51,22 @@ Index Normal_curves::splice(const End& from, const End& to, const std::vector<In
   return m_store.splice(from, to, halfedges);
 }
 
+void Normal_curves::set_tight(Index curve, double length)
+{
+  if (m_tight.size() <= static_cast<std::size_t>(curve)) { m_tight.resize(number_of_curves()); }
+  m_tight[curve] = {m_store.clock(), length};
+}
+
+std::optional<double> Normal_curves::tight_length(Index curve) const
+{
+  if (m_tight.size() <= static_cast<std::size_t>(curve)) { return {}; }
+  const auto [since, length] = m_tight[curve];
+  const Index other = partner(curve);
+  if (length < 0 || m_store.has_changed(curve, since) || m_store.has_changed_beside(curve, since)) { return {}; }
+  if (meeting(curve) >= 0 && m_store.has_changed(other, since)) { return {}; }
+  return length;
+}
+
 void Normal_curves::link_new(Index curve, const std::vector<Crossing>& steps)
 {
   std::vector<std::size_t> order(steps.size());

@@ -151,16 +151,42 @@ void Crossing_store::remove(Index curve)
   for (Id x : ids) { unlist(x); }
 }
 
+bool Crossing_store::has_changed_beside(Index curve, std::uint64_t since) const
+{
+  const auto ends_changed = [&](Index v) {
+    const auto found = m_ends_changed.find(v);
+    return found != m_ends_changed.end() && found->second > since;
+  };
+  for (Id x : crossings(curve))
+  {
+    const Index h = m_crossings[x].halfedge;
+    if (m_list_changed[m_slot[edge(x)]] > since) { return true; }
+    if (m_any_ends_changed > since && (ends_changed(m_surface.source(h)) || ends_changed(m_surface.target(h))))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 Index Crossing_store::append_curve()
 {
   m_curves.emplace_back();
-  note([this] { m_curves.pop_back(); });
+  m_changed.push_back(++m_clock);
+  note([this] {
+    m_curves.pop_back();
+    m_changed.pop_back();
+  });
   return number_of_curves() - 1;
 }
 
 Crossing_store::Curve& Crossing_store::edit_curve(Index c)
 {
-  note([this, c, old = m_curves[c]] { m_curves[c] = old; });
+  m_changed[c] = ++m_clock;
+  note([this, c, old = m_curves[c]] {
+    m_curves[c] = old;
+    m_changed[c] = ++m_clock;
+  });
   return m_curves[c];
 }
 
@@ -172,6 +198,7 @@ Crossing_store::Chained_crossing& Crossing_store::edit(Id x)
 
 Crossing_store::Id Crossing_store::append(Index halfedge, Index curve, double t, Index place)
 {
+  m_changed[curve] = ++m_clock;
   const Id x = static_cast<Id>(m_crossings.size());
   m_crossings.push_back({{halfedge, -1, t}, curve, -1, -1});
   note([this] { m_crossings.pop_back(); });
@@ -190,6 +217,7 @@ Crossing_store::Id Crossing_store::append_at(Index halfedge, Index curve, bool a
 
 void Crossing_store::unlist(Id x)
 {
+  m_changed[m_crossings[x].curve] = ++m_clock;
   auto& list = edit_list(edge(x));
   const Index place = m_crossings[x].place;
   list.erase(list.begin() + place);
@@ -261,10 +289,13 @@ std::vector<Crossing_store::Id>& Crossing_store::edit_list(Index e)
   {
     m_slot[e] = static_cast<Index>(m_lists.size());
     m_lists.emplace_back();
+    m_list_changed.emplace_back();
   }
   auto& list = m_lists[m_slot[e]];
+  m_list_changed[m_slot[e]] = ++m_clock;
   note([this, e, old = list] {
     m_lists[m_slot[e]] = old;
+    m_list_changed[m_slot[e]] = ++m_clock;
     number(old, 0);
   });
   return list;
@@ -273,7 +304,11 @@ std::vector<Crossing_store::Id>& Crossing_store::edit_list(Index e)
 void Crossing_store::edit_ends(Index v, const End& e, bool is_new)
 {
   auto& ends = m_ends[v];
-  note([this, v, old = ends] { m_ends[v] = old; });
+  note_ends(v);
+  note([this, v, old = ends] {
+    m_ends[v] = old;
+    note_ends(v);
+  });
   if (is_new) { ends.push_back(e); }
   else { ends.erase(std::find(ends.begin(), ends.end(), e)); }
 }

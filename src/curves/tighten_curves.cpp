@@ -214,6 +214,7 @@ bool move_over(Normal_curves& curves, const std::vector<Index>& run, Index verte
 
 double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& options)
 {
+  if (const auto known = curves.tight_length(c)) { return *known; }
   const Triangle_surface& s = curves.surface();
   double last = std::numeric_limits<double>::infinity();
   for (int pass = 0;; ++pass)
@@ -248,7 +249,11 @@ double tighten_curve(Normal_curves& curves, Index c, const Tighten_options& opti
       if (open && (bend.begin == 0 || bend.begin + bend.size == n)) { break; } // more crossings than these may be gone
       for (std::size_t i = 0; i < bend.size; ++i) { is_gone[(bend.begin + i) % n] = 1; }
     }
-    if (!moved) { return loop.length; }
+    if (!moved)
+    {
+      curves.set_tight(c, loop.length);
+      return loop.length;
+    }
   }
 }
 

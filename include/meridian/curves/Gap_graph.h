@@ -8,6 +8,7 @@
 #include <meridian/surface/shortest_ways.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -77,7 +78,7 @@ public:
   }
 
 private:
-  struct Gap_node // one cache line
+  struct alignas(64) Gap_node // one cache line
   {
     Point point;
     Gap gap;
@@ -141,6 +142,7 @@ private:
   std::vector<Node> m_first; // of each edge: the node of its first gap, or -1
   std::vector<Gap_node> m_nodes;
   std::vector<Index> m_members; // of each region: its face, how many nodes it has, and these
+  std::size_t m_forgotten = 0;  // nodes that are no more
   std::uint32_t m_run = 0;
   Nearest_first<Node> m_queue;
 };

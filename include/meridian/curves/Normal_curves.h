@@ -8,6 +8,8 @@
 #include <meridian/surface/edge_places.h>
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace meridian {
@@ -112,12 +114,23 @@ public:
   /// \param x a crossing \param v the vertex that its curve is divided at \returns the two curves
   std::array<Index, 2> split(Id x, Index v) { return m_store.split(x, v); }
 
+  /// notes that a curve is as tight as its neighbours let it be. \param curve it \param length its length
+  void set_tight(Index curve, double length);
+  /// \param curve a curve \returns its length, if it was noted to be tight and nothing beside it has changed since
+  std::optional<double> tight_length(Index curve) const;
+
 private:
   // Appends the crossings of a curve that has none, and joins them in order.
   void link_new(Index curve, const std::vector<Crossing>& steps);
 
   internal::Crossing_store m_store;
   std::vector<Index> m_meeting; // of each pair: the face where its chords cross, or -1
+  struct Tight
+  {
+    std::uint64_t since = 0;
+    double length = -1;
+  };
+  std::vector<Tight> m_tight; // what is known of each curve
 };
 
 } // namespace meridian

@@ -7,6 +7,7 @@
 #include <meridian/surface/edge_places.h>
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <unordered_map>
 #include <utility>
@@ -37,7 +38,7 @@ public:
   };
 
   Crossing_store(const Triangle_surface& surface, Index curves)
-    : m_surface(surface), m_curves(curves), m_slot(surface.number_of_halfedges(), -1)
+    : m_surface(surface), m_curves(curves), m_changed(curves, 0), m_slot(surface.number_of_halfedges(), -1)
   {}
 
   const Triangle_surface& surface() const { return m_surface; }
@@ -82,6 +83,14 @@ public:
   /// \returns the parts
   std::array<Index, 2> split(Id x, Index v);
   void remove(Index curve);
+
+  /// \returns how many changes there have been, those that were taken back among them
+  std::uint64_t clock() const { return m_clock; }
+  /// \returns whether, since a time, anything has changed on the edges that a curve crosses but the fractions there, or
+  ///          another curve has come to, or left, a vertex of them
+  bool has_changed_beside(Index curve, std::uint64_t since) const;
+  /// \returns whether a curve itself has taken another course since a time
+  bool has_changed(Index curve, std::uint64_t since) const { return m_changed[curve] > since; }
 
   /// what is done while a trial lives is taken back at its end, unless it is kept. Trials may be nested.
   class Trial
@@ -143,14 +152,19 @@ private:
   }
   void edit_ends(Index v, const End& e, bool is_new);
   void put_along(Index e, Index curve);
+  void note_ends(Index v) { m_ends_changed[v] = m_any_ends_changed = ++m_clock; }
 
   const Triangle_surface& m_surface;
   std::vector<Chained_crossing> m_crossings;
   std::vector<Curve> m_curves;
+  std::vector<std::uint64_t> m_changed; // of each curve: when last
   std::vector<Index> m_slot; // of each edge: its list, or -1
   std::vector<std::vector<Id>> m_lists;
+  std::vector<std::uint64_t> m_list_changed; // of each list: when last
   std::unordered_map<Index, std::vector<End>> m_ends; // at vertices where curves end
   std::unordered_map<Index, Index> m_along;           // curves that run along an edge
+  std::unordered_map<Index, std::uint64_t> m_ends_changed;
+  std::uint64_t m_clock = 0, m_any_ends_changed = 0;
   std::vector<std::function<void()>> m_undo;
   int m_trials = 0;
   std::vector<Id> m_none; // the list of an edge that has none
