@@ -3,6 +3,7 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/cut/internal/edge_trees.h>
+#include <meridian/cut/internal/edge_exchange.h>
 #include <meridian/cut/internal/straighten_paths.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/Face_tree.h>
@@ -120,6 +121,15 @@ std::vector<Index> straighten_edge_cut(const Triangle_surface& s, const std::vec
   for (Index h : cut) { is_cut[h] = is_cut[s.opposite[h]] = 1; }
   internal::Path_straightener straightener(s, is_cut, ends == Path_ends::SLIDE, may_pass);
   while (rounds-- > 0 && straightener.straighten_all()) {}
+  return internal::flagged_edges(s, is_cut);
+}
+
+std::vector<Index> exchange_in_edge_cut(const Triangle_surface& s, const std::vector<Index>& cut, int rounds)
+{
+  std::vector<char> is_cut(s.number_of_halfedges(), 0);
+  for (Index h : cut) { is_cut[h] = is_cut[s.opposite[h]] = 1; }
+  internal::Edge_exchange exchange(s, is_cut);
+  while (rounds-- > 0 && exchange.run() > 0) {}
   return internal::flagged_edges(s, is_cut);
 }
 
