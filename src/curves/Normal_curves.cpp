@@ -51,6 +51,14 @@ Index Normal_curves::splice(const End& from, const End& to, const std::vector<In
   return m_store.splice(from, to, halfedges);
 }
 
+bool Normal_curves::has_changed_at(Index v, std::uint64_t since) const
+{
+  const auto& ends = ends_at(v);
+  return std::any_of(ends.begin(), ends.end(), [&](const End& e) {
+    return m_store.has_changed(e.curve, since) || m_store.has_changed_beside(e.curve, since);
+  });
+}
+
 void Normal_curves::set_tight(Index curve, double length)
 {
   if (m_tight.size() <= static_cast<std::size_t>(curve)) { m_tight.resize(number_of_curves()); }

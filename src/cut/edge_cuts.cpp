@@ -129,7 +129,14 @@ std::vector<Index> exchange_in_edge_cut(const Triangle_surface& s, const std::ve
   std::vector<char> is_cut(s.number_of_halfedges(), 0);
   for (Index h : cut) { is_cut[h] = is_cut[s.opposite[h]] = 1; }
   internal::Edge_exchange exchange(s, is_cut);
-  while (rounds-- > 0 && exchange.run() > 0) {}
+  double last = exchange.length();
+  while (rounds-- > 0 && exchange.run() > 0)
+  {
+    constexpr double least_gain = 1e-3;
+    const double now = exchange.length();
+    if (!(now < (1 - least_gain) * last)) { break; }
+    last = now;
+  }
   return internal::flagged_edges(s, is_cut);
 }
 

@@ -16,19 +16,35 @@ constexpr double less = 1 - 1e-12; // rounding must not keep exchanges going
 } // namespace
 
 Edge_exchange::Edge_exchange(const Triangle_surface& s, std::vector<char>& is_cut)
-  : m_surface(s), m_is_cut(is_cut), m_degree(s.number_of_vertices(), 0), m_place(s.number_of_halfedges(), -1)
+  : m_surface(s), m_is_cut(is_cut), m_degree(s.number_of_vertices(), 0), m_side(s.number_of_halfedges(), -1),
+    m_index(s.number_of_halfedges(), -1)
 {
-  for (Index h = 0; h < s.number_of_halfedges(); ++h) { m_degree[s.source(h)] += is_cut[h]; }
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    m_length.push_back(s.length(h));
+    m_degree[s.source(h)] += is_cut[h];
+  }
 }
 
 int Edge_exchange::run()
 {
-  if (!walk()) { return 0; }
+  Index first = -1, walls = 0;
+  for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
+  {
+    if (!is_wall(h)) { continue; }
+    ++walls;
+    if (first < 0 && is_node(m_surface.source(h))) { first = h; }
+  }
+  if (first < 0) { return 0; } // there is no path
+  if (walk(first) != walls)
+  {
+    throw Invalid_input_error("the edges are no cut graph; more than a disc is left");
+  }
   grow();
   std::vector<std::pair<double, Index>> order; // by what they gain
   for (const auto& [sides, c] : m_candidates)
   {
-    const Index side = longest_between(begin_of(c.over), begin_of(m_surface.opposite[c.over]));
+    const Index side = longest_between(place(first_of(c.over)), place(first_of(m_surface.opposite[c.over])));
     if (side >= 0 && c.length < less * m_sides[side].length)
     {
       order.emplace_back(c.length - m_sides[side].length, c.over);
@@ -40,57 +56,56 @@ int Edge_exchange::run()
   return exchanged;
 }
 
+double Edge_exchange::length() const
+{
+  double sum = 0;
+  for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
+  {
+    if (m_is_cut[h] && m_surface.edge(h) == h) { sum += m_length[h]; }
+  }
+  return sum;
+}
+
 bool Edge_exchange::is_node(Index v) const
 {
   return m_degree[v] > 0 && (m_degree[v] != 2 || m_surface.is_boundary_vertex(v));
 }
 
-bool Edge_exchange::walk()
+Index Edge_exchange::walk(Index first)
 {
-  Index first = -1, walls = 0;
-  for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
-  {
-    if (!is_wall(h)) { continue; }
-    ++walls;
-    if (first < 0 && is_node(m_surface.source(h))) { first = h; }
-  }
-  if (first < 0) { return false; }
-  m_rim.clear();
-  Index h = first;
+  m_sides.clear();
+  m_order.clear();
+  Index h = first, steps = 0;
   do {
-    for (Index g = h; g >= 0 && (g == h || !is_wall(g)); g = m_surface.turn_left(g))
-    {
-      m_place[g] = static_cast<Index>(m_rim.size());
-    }
-    m_rim.push_back(h);
+    if (is_node(m_surface.source(h))) { m_order.push_back(add_side({}, -1)); }
+    Side& side = m_sides.back();
+    m_side[h] = m_order.back();
+    m_index[h] = static_cast<Index>(side.halfedges.size());
+    side.halfedges.push_back(h);
+    side.length += m_length[h];
+    ++steps;
     h = m_surface.next(h);
     while (!is_wall(h)) { h = m_surface.next(m_surface.opposite[h]); }
   } while (h != first);
-  if (static_cast<Index>(m_rim.size()) != walls)
-  {
-    throw Invalid_input_error("the edges are no cut graph; more than a disc is left");
-  }
-  find_sides();
-  return true;
-}
-
-void Edge_exchange::find_sides()
-{
-  m_sides.clear();
-  m_side.clear();
-  for (Index h : m_rim)
-  {
-    const auto place = static_cast<Index>(m_side.size());
-    if (is_node(m_surface.source(h))) { m_sides.push_back({place, place, -1, 0}); }
-    m_side.push_back(static_cast<Index>(m_sides.size()) - 1);
-    m_sides.back().end = place + 1;
-    m_sides.back().length += m_surface.length(h);
-  }
   for (Side& side : m_sides)
   {
-    const Index h = m_rim[side.begin];
-    if (m_is_cut[h]) { side.mate = m_side[m_place[m_surface.opposite[h]]]; }
+    const Index own = side.halfedges.front();
+    if (m_is_cut[own]) { side.mate = m_side[m_surface.opposite[own]]; }
   }
+  number_sides();
+  return steps;
+}
+
+void Edge_exchange::number_sides()
+{
+  m_rank.resize(m_sides.size());
+  for (std::size_t i = 0; i < m_order.size(); ++i) { m_rank[m_order[i]] = static_cast<Index>(i); }
+}
+
+Index Edge_exchange::corner(Index h) const
+{
+  while (!is_wall(h)) { h = m_surface.turn_right(h); }
+  return h;
 }
 
 void Edge_exchange::grow()
@@ -100,13 +115,12 @@ void Edge_exchange::grow()
   m_queue.clear();
   double farthest = 0; // from the rim: half the longest path
   for (const Side& side : m_sides) { farthest = std::max(farthest, side.mate < 0 ? 0 : side.length / 2); }
-  for (Index h : m_rim)
-  {
-    for (Index g = m_surface.turn_left(h); g >= 0 && !is_wall(g); g = m_surface.turn_left(g))
-    {
-      take(g, 0, g, farthest);
-    }
-  }
+  for (const Side& side : m_sides)
+    for (Index h : side.halfedges)
+      for (Index g = m_surface.turn_left(h); g >= 0 && !is_wall(g); g = m_surface.turn_left(g))
+      {
+        take(g, 0, g, farthest);
+      }
   m_queue.search([&](double at, Index v) {
     if (at > m_reached[v].distance) { return false; }
     m_surface.for_each_outgoing(v, [&](Index h) { take(h, at, m_reached[v].root, farthest); });
@@ -117,11 +131,11 @@ void Edge_exchange::grow()
 void Edge_exchange::take(Index h, double distance, Index root, double farthest)
 {
   const Index w = m_surface.target(h);
-  const double length = distance + m_surface.length(h);
+  const double length = distance + m_length[h];
   Reached& there = m_reached[w];
   if (is_used(w) || there.distance <= distance) // reached for good
   {
-    const Index a = m_side[m_place[root]], b = m_side[begin_of(m_surface.opposite[h])];
+    const Index a = m_side[corner(root)], b = m_side[corner(first_of(m_surface.opposite[h]))];
     if (a == b) { return; }
     Candidate& c = m_candidates[std::minmax(a, b)];
     const double whole = length + (is_used(w) ? 0 : there.distance);
@@ -134,22 +148,22 @@ void Edge_exchange::take(Index h, double distance, Index root, double farthest)
   }
 }
 
-Index Edge_exchange::begin_of(Index h) const
+Index Edge_exchange::first_of(Index h) const
 {
   const Index v = m_surface.source(h);
-  return m_place[is_used(v) ? h : m_reached[v].root];
+  return is_used(v) ? h : m_reached[v].root;
 }
 
-Index Edge_exchange::longest_between(Index from, Index to) const
+Index Edge_exchange::longest_between(Place from, Place to) const
 {
-  if (from > to) { std::swap(from, to); }
+  if (to.rank < from.rank) { std::swap(from, to); }
   Index best = -1;
-  for (Index i = m_side[from] + (m_sides[m_side[from]].begin < from); i <= m_side[to] && m_sides[i].end <= to; ++i)
+  for (Index i = from.rank + (from.index > 0); i < to.rank; ++i)
   {
-    const Side& side = m_sides[i];
+    const Side& side = m_sides[m_order[i]];
     if (side.mate < 0 || (best >= 0 && side.length <= m_sides[best].length)) { continue; }
-    const Side& mate = m_sides[side.mate];
-    if (mate.end <= from || mate.begin >= to) { best = i; }
+    const Index mate = m_rank[side.mate];
+    if (mate < from.rank || mate > to.rank || (mate == to.rank && to.index == 0)) { best = m_order[i]; }
   }
   return best;
 }
@@ -176,19 +190,51 @@ Edge_exchange::Path Edge_exchange::path_over(Index h) const
 
 bool Edge_exchange::try_exchange(Index over)
 {
-  const Path path = path_over(over);
+  Path path = path_over(over);
   if (path.empty()) { return false; }
   double length = 0;
-  for (Index h : path) { length += m_surface.length(h); }
-  const Index side = longest_between(m_place[path.front()], m_place[m_surface.opposite[path.back()]]);
+  for (Index h : path) { length += m_length[h]; }
+  const Place from = place(path.front()), to = place(m_surface.opposite[path.back()]);
+  const Index side = longest_between(from, to);
   if (side < 0 || !(length < less * m_sides[side].length)) { return false; }
-  const Path old(m_rim.begin() + m_sides[side].begin, m_rim.begin() + m_sides[side].end);
+  if (to.rank < from.rank)
+  {
+    std::reverse(path.begin(), path.end());
+    for (Index& h : path) { h = m_surface.opposite[h]; }
+  }
+  exchange(path, side);
+  return true;
+}
+
+void Edge_exchange::exchange(const Path& path, Index side)
+{
+  const Index from = corner(path.front()), to = corner(m_surface.opposite[path.back()]);
+  split(from);
+  split(to);
+  // The way parts the rim in two: from `a` on to `b` on its right, the rest on its left. The path joins the two again.
+  const Path old = m_sides[side].halfedges;
+  const Index a = m_rank[m_side[from]], b = m_rank[m_side[to]], s = m_rank[side], mate = m_rank[m_sides[side].mate];
+  Path back;
+  for (auto h = path.rbegin(); h != path.rend(); ++h) { back.push_back(m_surface.opposite[*h]); }
+  const Index left = add_side(path, -1), right = add_side(back, left);
+  m_sides[left].mate = right;
+  std::vector<Index> order;
+  const auto n = static_cast<Index>(m_order.size());
+  const auto take = [&](Index first, Index last) { // round the rim
+    for (Index i = first; i % n != last; ++i) { order.push_back(m_order[i % n]); }
+  };
+  take(mate + 1, a);
+  order.push_back(left);
+  take(b, mate);
+  take(s + 1, b);
+  order.push_back(right);
+  take(a, s);
+  m_order = order;
   for (Index h : old) { set(h, false); }
   for (Index h : path) { set(h, true); }
-  prune(m_surface.source(old.front()));
-  prune(m_surface.target(old.back()));
-  walk();
-  return true;
+  number_sides();
+  tidy(m_surface.source(old.front()));
+  tidy(m_surface.target(old.back()));
 }
 
 void Edge_exchange::set(Index h, bool is_cut)
@@ -197,15 +243,86 @@ void Edge_exchange::set(Index h, bool is_cut)
   for (Index v : {m_surface.source(h), m_surface.target(h)}) { m_degree[v] += is_cut ? 1 : -1; }
 }
 
-void Edge_exchange::prune(Index v)
+Index Edge_exchange::add_side(const Path& halfedges, Index mate)
 {
-  while (m_degree[v] == 1 && !m_surface.is_boundary_vertex(v))
+  const auto side = static_cast<Index>(m_sides.size());
+  m_sides.push_back({{}, mate, 0});
+  for (Index h : halfedges)
   {
-    Index out = -1;
-    m_surface.for_each_outgoing(v, [&](Index h) { out = m_is_cut[h] ? h : out; });
-    set(out, false);
-    v = m_surface.target(out);
+    m_side[h] = side;
+    m_index[h] = static_cast<Index>(m_sides[side].halfedges.size());
+    m_sides[side].halfedges.push_back(h);
+    m_sides[side].length += m_length[h];
   }
+  return side;
+}
+
+void Edge_exchange::split(Index h)
+{
+  if (m_index[h] == 0) { return; }
+  const Index side = m_side[h], mate = m_sides[side].mate;
+  const auto size = static_cast<std::size_t>(m_index[h]);
+  divide(side, size);
+  if (mate >= 0)
+  {
+    divide(mate, m_sides[mate].halfedges.size() - size);
+    const auto last = static_cast<Index>(m_sides.size()) - 1; // the second part of the mate; before it, that of the side
+    m_sides[side].mate = last;
+    m_sides[last].mate = side;
+    m_sides[mate].mate = last - 1;
+    m_sides[last - 1].mate = mate;
+  }
+  number_sides();
+}
+
+void Edge_exchange::divide(Index side, std::size_t size)
+{
+  Path& all = m_sides[side].halfedges;
+  const Path rest(all.begin() + size, all.end());
+  all.resize(size);
+  m_sides[side].length = 0;
+  for (Index h : all) { m_sides[side].length += m_length[h]; }
+  const Index second = add_side(rest, -1);
+  m_order.insert(std::find(m_order.begin(), m_order.end(), side) + 1, second);
+}
+
+void Edge_exchange::tidy(Index v)
+{
+  if (m_surface.is_boundary_vertex(v)) { return; }
+  std::vector<Index> out;
+  m_surface.for_each_outgoing(v, [&](Index h) {
+    if (m_is_cut[h]) { out.push_back(h); }
+  });
+  if (out.size() == 1)
+  {
+    const Index side = m_side[out.front()], mate = m_sides[side].mate;
+    const Path all = m_sides[side].halfedges;
+    for (Index gone : {side, mate}) { m_order.erase(std::find(m_order.begin(), m_order.end(), gone)); }
+    for (Index h : all) { set(h, false); }
+    number_sides();
+    return tidy(m_surface.target(all.back()));
+  }
+  if (out.size() != 2) { return; }
+  const Index x = m_side[m_surface.opposite[out[0]]], y = m_side[out[1]];
+  if (x == y || m_sides[x].mate == y) { return; } // one loop
+  const Index x_mate = m_sides[x].mate, y_mate = m_sides[y].mate;
+  append(x, y);
+  append(y_mate, x_mate);
+  m_sides[x].mate = y_mate;
+  m_sides[y_mate].mate = x;
+  number_sides();
+}
+
+void Edge_exchange::append(Index side, Index next)
+{
+  for (Index h : m_sides[next].halfedges)
+  {
+    m_side[h] = side;
+    m_index[h] = static_cast<Index>(m_sides[side].halfedges.size());
+    m_sides[side].halfedges.push_back(h);
+    m_sides[side].length += m_length[h];
+  }
+  m_order.erase(std::find(m_order.begin(), m_order.end(), next));
 }
 
 } // namespace internal

@@ -8,9 +8,11 @@
 #include <meridian/cut/internal/network_moves.h>
 #include <meridian/surface/measures.h>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <vector>
 
 namespace meridian {
@@ -59,6 +61,11 @@ double network_length(const Normal_curves& curves)
 
 void move_vertices(Normal_curves& curves, const Tighten_options& options, const std::function<void()>& pause)
 {
+  // What could not be moved at some time can not as long as nothing has changed there.
+  std::unordered_map<Index, std::uint64_t> at_vertex, at_curve;
+  const auto has_changed = [&](Index v, std::uint64_t since) {
+    return curves.ends_at(v).empty() || curves.has_changed_at(v, since);
+  };
   for (int pass = 0; pass < options.passes; ++pass)
   {
     const double before = network_length(curves);
@@ -71,10 +78,28 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
     for (Index v : vertices)
     {
       pause();
-      for (std::optional<Index> at = v; at && !curves.ends_at(*at).empty();) { at = move_vertex(curves, *at, options); }
+      const auto tried = at_vertex.find(v);
+      if (tried != at_vertex.end() && !has_changed(v, tried->second)) { continue; }
+      Index last = v;
+      for (std::optional<Index> at = v; at && !curves.ends_at(*at).empty();)
+      {
+        last = *at;
+        at = move_vertex(curves, *at, options);
+      }
+      at_vertex[last] = curves.clock();
     }
     for (Index c = 0; c < curves.number_of_curves(); ++c)
-      if (curves.is_open(c) && curves.nearest({c, false}) < 0) { exchange_neighbors(curves, c, options); }
+    {
+      if (!curves.is_open(c) || curves.nearest({c, false}) >= 0) { continue; }
+      const auto tried = at_curve.find(c);
+      if (tried != at_curve.end() && !has_changed(curves.vertex({c, false}), tried->second)
+          && !has_changed(curves.vertex({c, true}), tried->second))
+      {
+        continue;
+      }
+      exchange_neighbors(curves, c, options);
+      at_curve[c] = curves.clock();
+    }
     tighten_curves(curves, options);
     if (!(network_length(curves) < (1 - options.least_gain) * before)) { return; }
   }
@@ -121,6 +146,7 @@ std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const
     if (progress) { progress(done); }
   };
   tighten_curves(curves, options);
+  const double least_gain = 10 * options.least_gain; // of a search through the whole disc
   internal::Network_exchange exchange(curves);
   double last = internal::network_length(curves);
   for (int round = 0; round < options.rounds; ++round)
@@ -130,12 +156,12 @@ std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const
     for (double before = internal::network_length(curves); exchange.run(options, pause) > 0;)
     {
       const double now = internal::network_length(curves);
-      if (!(now < (1 - options.least_gain) * before)) { break; }
+      if (!(now < (1 - least_gain) * before)) { break; }
       before = now;
     }
     tighten_curves(curves, options);
     const double now = internal::network_length(curves);
-    if (!(now < (1 - options.least_gain) * last)) { break; }
+    if (!(now < (1 - least_gain) * last)) { break; }
     last = now;
   }
   std::vector<Surface_curve> placed = internal::place_network(curves), as_given;

@@ -114,6 +114,11 @@ public:
   /// \param x a crossing \param v the vertex that its curve is divided at \returns the two curves
   std::array<Index, 2> split(Id x, Index v) { return m_store.split(x, v); }
 
+  /// \returns a number that grows with every change of course
+  std::uint64_t clock() const { return m_store.clock(); }
+  /// \param v a vertex \param since what `clock()` returned
+  /// \returns whether since then a curve that ends there, or something beside it, has changed its course
+  bool has_changed_at(Index v, std::uint64_t since) const;
   /// notes that a curve is as tight as its neighbours let it be. \param curve it \param length its length
   void set_tight(Index curve, double length);
   /// \param curve a curve \returns its length, if it was noted to be tight and nothing beside it has changed since

@@ -106,7 +106,7 @@ std::vector<Index> straighten_edge_cut(
  *
  * \param s the surface
  * \param cut the edges, a halfedge of each
- * \param rounds how often all cells are grown at most; it ends when nothing was exchanged
+ * \param rounds how often all cells are grown at most; it ends when that gains less than a thousandth
  *
  * \returns the edges of the shorter cut graph, sorted
  * \pre `s` is connected, and cutting it along the edges leaves one disc

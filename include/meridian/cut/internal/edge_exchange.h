@@ -6,6 +6,7 @@
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/shortest_ways.h>
 
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <utility>
@@ -28,15 +29,23 @@ public:
   // Exchanges what there is to exchange at present, the most gainful first. Returns how many paths.
   int run();
 
+  // The length of the cut graph.
+  double length() const;
+
 private:
   using Path = std::vector<Index>; // of halfedges
 
   // A stretch of the rim between two nodes: one side of a path, or a part of the boundary of the surface.
   struct Side
   {
-    Index begin, end; // places along the rim
-    Index mate;       // the other side of the path; -1 on the boundary
+    Path halfedges;
+    Index mate; // the other side of the path; -1 on the boundary
     double length;
+  };
+  // A corner of the rim: the place of a side among all sides, and that of the halfedge from the corner in it.
+  struct Place
+  {
+    Index rank, index;
   };
   // What the growth of the cells knows of a vertex.
   struct Reached
@@ -56,32 +65,44 @@ private:
   bool is_used(Index v) const { return m_degree[v] > 0 || m_surface.is_boundary_vertex(v); }
   bool is_node(Index v) const;
 
-  // Goes round the rim and notes its corners and its sides. False if there is no path.
-  bool walk();
-  void find_sides();
+  // Goes round the rim from one of its halfedges on, at a node. Returns how many there are.
+  Index walk(Index first);
+  void number_sides();
+  // The halfedge of the rim that begins at the corner that a halfedge lies in.
+  Index corner(Index h) const;
+  Place place(Index h) const { return {m_rank[m_side[corner(h)]], m_index[corner(h)]}; }
 
   void grow();
   // Goes on along a halfedge from a vertex at some distance.
   void take(Index h, double distance, Index root, double farthest);
-  // The place on the rim where the way begins that leads to the source of a halfedge and over it.
-  Index begin_of(Index h) const;
+  // The first halfedge of the way that leads to the source of a halfedge and over it.
+  Index first_of(Index h) const;
 
-  // One side of the longest path that a way between two places of the rim may replace, or -1.
-  Index longest_between(Index from, Index to) const;
+  // One side of the longest path that a way between two corners of the rim may replace, or -1.
+  Index longest_between(Place from, Place to) const;
   // The way over a halfedge; empty if it is no more.
   Path path_over(Index h) const;
   bool try_exchange(Index over);
+  // Puts a way from a corner to a later one in the place of a path, of which it has this side on its right.
+  void exchange(const Path& path, Index side);
   void set(Index h, bool is_cut);
-  // Takes out what dangles from a vertex.
-  void prune(Index v);
+  Index add_side(const Path& halfedges, Index mate);
+  // Divides a path, or a part of the boundary, where a halfedge of the rim begins.
+  void split(Index h);
+  void divide(Index side, std::size_t size);
+  // Makes one path of two that meet at a vertex, or takes out the one that dangles there.
+  void tidy(Index v);
+  void append(Index side, Index next);
 
   const Triangle_surface& m_surface;
   std::vector<char>& m_is_cut;
   std::vector<Index> m_degree; // of each vertex in the cut graph
-  std::vector<Index> m_rim;    // the halfedges along it
-  std::vector<Index> m_place;  // of each halfedge on the rim or away from it: the place of its corner
-  std::vector<Side> m_sides;
-  std::vector<Index> m_side; // of each place
+  std::vector<double> m_length; // of each halfedge
+  std::vector<Side> m_sides;    // and some that are no more
+  std::vector<Index> m_order;   // of the sides along the rim
+  std::vector<Index> m_rank;    // of each side in this order
+  std::vector<Index> m_side;    // of each halfedge on the rim: its side,
+  std::vector<Index> m_index;   // and its place there
   std::vector<Reached> m_reached;
   Nearest_first<Index> m_queue;
   std::map<std::pair<Index, Index>, Candidate> m_candidates; // of two sides
