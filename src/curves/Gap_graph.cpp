@@ -46,11 +46,16 @@ Index Gap_graph::trace_region(Node n, Index face)
 void Gap_graph::forget_around(Index curve)
 {
   for (Index x : m_curves.crossings(curve)) { forget_edge(m_curves.edge(x)); }
-  if (2 * m_forgotten < m_nodes.size()) { return; }
+  if (2 * m_forgotten >= m_nodes.size()) { forget(); }
+}
+
+void Gap_graph::forget()
+{
   m_first.assign(m_first.size(), -1);
   m_nodes.clear();
   m_members.clear();
   m_forgotten = 0;
+  clear();
 }
 
 void Gap_graph::forget_edge(Index edge)

@@ -104,7 +104,7 @@ void Network_exchange::grow()
   walk();
   m_changed_edges.clear();
   m_changed_vertices.clear();
-  m_reached.forget();
+  m_graph.forget();
   m_roots.clear();
   m_candidates.clear();
   std::unordered_map<Index, Network_star> stars;
@@ -116,25 +116,26 @@ void Network_exchange::grow()
     if (is_new) { known->second = make_star(m_curves, m_sides[i].corner); }
     start_at_corner(i, known->second);
   }
-  // no way longer than this is of use
-  const double farthest = m_length.empty() ? 0 : *std::max_element(m_length.begin(), m_length.end());
-  m_queue.search([&](double, const Gap& gap) {
-    if (m_reached[gap].is_done) { return false; }
-    m_reached[gap].is_done = true;
-    for (Index h : {gap.edge, m_surface.opposite[gap.edge]}) { spread(gap, m_surface.face(h), farthest); }
-    return false;
+  // no way more than twice as long is of use
+  double farthest = m_length.empty() ? 0 : *std::max_element(m_length.begin(), m_length.end()) / 2;
+  m_graph.grow(farthest, [&](Gap_graph::Node n, Gap_graph::Node to, Index region, double length) {
+    const Index from_root = m_graph.reached(n).root, to_root = m_graph.reached(to).root;
+    const std::size_t a = m_roots[from_root].side, b = m_roots[to_root].side;
+    if (a == b) { return; }
+    Candidate& c = m_candidates[std::minmax(a, b)];
+    if (length < c.length)
+    {
+      c = {length, n, to, m_graph.face(region), {known_as(from_root), known_as(to_root)}};
+    }
   });
 }
 
-void Network_exchange::start(const Gap& g, double d, const Root& root)
+void Network_exchange::start(const Gap& g, const Root& root)
 {
   if (m_surface.opposite[g.edge] < 0 || m_curves.along(g.edge) >= 0) { return; }
-  Reached& r = m_reached[g];
-  if (!(d < r.distance)) { return; }
-  r.distance = d;
-  r.root = static_cast<Index>(m_roots.size());
-  m_roots.push_back(root);
-  m_queue.reach(d, g);
+  const Gap_graph::Node n = m_graph.node(g);
+  const double d = root.vertex < 0 ? 0 : distance(m_surface.points[root.vertex], m_graph.point(n));
+  if (m_graph.start(n, d, static_cast<Index>(m_roots.size()))) { m_roots.push_back(root); }
 }
 
 void Network_exchange::start_at_vertex(Index v, const std::vector<Index>& spokes, std::size_t side)
@@ -143,7 +144,7 @@ void Network_exchange::start_at_vertex(Index v, const std::vector<Index>& spokes
   {
     const Index e = m_surface.edge(h);
     const Gap g{e, e == h ? 0 : static_cast<Index>(m_curves.on(e).size())};
-    start(g, distance(m_surface.points[v], point(g)), {v, -1, side});
+    start(g, {v, -1, side});
   }
 }
 
@@ -151,7 +152,7 @@ void Network_exchange::start_on_curve(std::size_t side)
 {
   for (Index x : m_curves.crossings(m_sides[side].curve))
   {
-    if (free_vertex_beside(x) >= 0) { start(gap_beside(m_curves, x, m_sides[side].is_forward), 0, {-1, x, side}); }
+    if (free_vertex_beside(x) >= 0) { start(gap_beside(m_curves, x, m_sides[side].is_forward), {-1, x, side}); }
   }
 }
 
@@ -181,31 +182,6 @@ void Network_exchange::start_at_corner(std::size_t i, const Network_star& star)
   const Index from = there != star.arms.end() ? there->at : 0;
   if (from == to && there < here) { return; } // both leave through one corner
   start_at_vertex(side.corner, spokes_between(star, from, to), i);
-}
-
-void Network_exchange::spread(const Gap& gap, Index face, double farthest)
-{
-  const Reached here = m_reached[gap];
-  const Point from = point(gap);
-  for_each_gap_around(m_curves, gap, face, [&](const Gap& to, Index) {
-    if (m_surface.opposite[to.edge] < 0 || m_curves.along(to.edge) >= 0 || to == gap) { return; }
-    Reached& there = m_reached[to];
-    const double d = here.distance + distance(from, point(to));
-    if (there.is_done)
-    {
-      const std::size_t a = m_roots[here.root].side, b = m_roots[there.root].side;
-      if (a == b || here.face == face || there.face == face) { return; } // the way would turn back
-      Candidate& c = m_candidates[{std::min(a, b), std::max(a, b)}];
-      if (d + there.distance < c.length)
-      {
-        c = {d + there.distance, gap, to, face, {known_as(here.root), known_as(there.root)}};
-      }
-      return;
-    }
-    if (here.face == face || !(d < there.distance) || d > farthest) { return; }
-    there = {d, gap, face, here.root, m_reached.run(), false};
-    m_queue.reach(d, to);
-  });
 }
 
 Disc_side Network_exchange::known_as(Index root) const
@@ -250,45 +226,48 @@ std::pair<Index, double> Network_exchange::longest_between(const Candidate& c) c
   return best;
 }
 
-std::vector<Gap> Network_exchange::back_from(Gap g)
+std::vector<Gap_graph::Node> Network_exchange::back_from(Gap_graph::Node n)
 {
-  std::vector<Gap> way;
-  for (; g.edge >= 0; g = m_reached[g].from)
+  std::vector<Gap_graph::Node> way;
+  for (; n >= 0; n = m_graph.reached(n).from)
   {
-    if (m_changed_edges.count(g.edge) > 0) { return {}; }
-    way.push_back(g);
+    if (m_changed_edges.count(m_graph.gap(n).edge) > 0) { return {}; }
+    way.push_back(n);
   }
   return way;
 }
 
-std::vector<Crossing> Network_exchange::steps_along(const std::vector<Gap>& way, std::size_t before, Index between)
+std::vector<Crossing> Network_exchange::steps_along(const std::vector<Gap_graph::Node>& way, std::size_t before,
+                                                    Index between)
 {
+  const auto face_before = [&](Gap_graph::Node n) { return m_graph.face(m_graph.reached(n).region); };
   std::vector<Index> faces; // after each gap
   for (std::size_t i = 0; i + 1 < way.size(); ++i)
   {
-    faces.push_back(i + 1 < before ? m_reached[way[i + 1]].face : i + 1 == before ? between : m_reached[way[i]].face);
+    faces.push_back(i + 1 < before ? face_before(way[i + 1]) : i + 1 == before ? between : face_before(way[i]));
   }
   std::vector<Crossing> steps;
   for (std::size_t i = 0; i < way.size(); ++i)
   {
-    const Index e = way[i].edge, o = m_surface.opposite[e];
+    const Gap& gap = m_graph.gap(way[i]);
+    const Index e = gap.edge, o = m_surface.opposite[e];
     const Index h =
       i < faces.size() ? (m_surface.face(e) == faces[i] ? o : e) : (m_surface.face(e) == faces[i - 1] ? e : o);
-    steps.push_back({h, way[i].place, middle_of(m_curves, way[i])});
+    steps.push_back({h, gap.place, middle_of(m_curves, gap)});
   }
   return steps;
 }
 
 std::optional<Network_exchange::New_curve> Network_exchange::find_new_curve(const Candidate& c)
 {
-  std::vector<Gap> way = back_from(c.gap);
-  const std::vector<Gap> rest = back_from(c.to);
+  std::vector<Gap_graph::Node> way = back_from(c.begin);
+  const std::vector<Gap_graph::Node> rest = back_from(c.end);
   if (way.empty() || rest.empty()) { return std::nullopt; }
   const std::size_t before = way.size();
   std::reverse(way.begin(), way.end());
   way.insert(way.end(), rest.begin(), rest.end());
   New_curve curve;
-  curve.roots = {m_roots[m_reached[way.front()].root], m_roots[m_reached[way.back()].root]};
+  curve.roots = {m_roots[m_graph.reached(way.front()).root], m_roots[m_graph.reached(way.back()).root]};
   for (int k = 0; k < 2; ++k)
   {
     const Root& root = curve.roots[k];
@@ -310,10 +289,10 @@ std::optional<Network_exchange::New_curve> Network_exchange::find_new_curve(cons
   return curve;
 }
 
-bool Network_exchange::is_clear(const std::vector<Gap>& way) const
+bool Network_exchange::is_clear(const std::vector<Gap_graph::Node>& way) const
 {
-  for (const Gap& g : way)
-    for (Index u : {m_surface.source(g.edge), m_surface.target(g.edge)})
+  for (Gap_graph::Node n : way)
+    for (Index u : {m_surface.source(m_graph.gap(n).edge), m_surface.target(m_graph.gap(n).edge)})
     {
       if (m_changed_vertices.count(u) > 0) { return false; }
     }

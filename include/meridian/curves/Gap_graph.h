@@ -48,6 +48,8 @@ public:
   const Reached& reached(Node n) { return record(n); }
   bool is_reached(Node n) { return record(n).root >= 0; }
 
+  // Forgets everything.
+  void forget();
   // Forgets what a curve changes that was added, or is to be removed.
   void forget_around(Index curve);
 

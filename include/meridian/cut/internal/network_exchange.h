@@ -3,14 +3,13 @@
 #define MERIDIAN_CUT_INTERNAL_NETWORK_EXCHANGE_H
 
 #include <meridian/base/vectors.h>
-#include <meridian/curves/Gap_records.h>
+#include <meridian/curves/Gap_graph.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/curves/chords.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/internal/disc_walk.h>
 #include <meridian/cut/internal/network_moves.h>
 #include <meridian/surface/Triangle_surface.h>
-#include <meridian/surface/shortest_ways.h>
 
 #include <array>
 #include <cstddef>
@@ -35,7 +34,7 @@ void tidy_vertex(Normal_curves& curves, Index v);
 class Network_exchange
 {
 public:
-  explicit Network_exchange(Normal_curves& curves) : m_curves(curves), m_surface(curves.surface()), m_reached(curves) {}
+  explicit Network_exchange(Normal_curves& curves) : m_curves(curves), m_surface(curves.surface()), m_graph(curves) {}
 
   // Puts shorter curves in the place of others. Returns how many. `pause` is called between tries; it may throw.
   int run(const Tighten_options& options, const std::function<void()>& pause);
@@ -48,37 +47,27 @@ private:
     Index vertex, crossing;
     std::size_t side;
   };
-  struct Reached
-  {
-    double distance = std::numeric_limits<double>::infinity();
-    Gap from{-1, -1};
-    Index face = -1, root = -1;
-    std::uint32_t run = 0; // the search that this belongs to
-    bool is_done = false;
-  };
-  // A way through the disc: from `gap` on back to its root, and from `to` on, which lies on the same region of `face`.
-  // The sides of the disc where it begins and ends are known by their curve and direction, or as a piece of boundary by
-  // a vertex on it.
+  // A way through the disc: from node `begin` on back to its root, and from `end` on, which lies on the same region of
+  // `face`. The sides of the disc where it begins and ends are known by their curve and direction, or as a piece of
+  // boundary by a vertex on it.
   struct Candidate
   {
     double length = std::numeric_limits<double>::infinity();
-    Gap gap{-1, -1}, to{-1, -1};
+    Gap_graph::Node begin = -1, end = -1;
     Index face = -1;
     std::array<Disc_side, 2> sides;
   };
-
-  Point point(const Gap& g) const { return m_surface.point_on(g.edge, middle_of(m_curves, g)); }
 
   // The vertex that a curve can be moved to from crossing `x`, or -1.
   Index free_vertex_beside(Index x) const;
 
   void walk();
 
-  // Dijkstra's algorithm on gaps, from all sides of the disc. Where two sides' cells touch there is a candidate.
+  // Grows a cell of gaps from every side of the disc. Where two sides' cells touch there is a candidate.
   void grow();
 
-  // A cell begins at a gap, `d` away from its root, unless another is nearer.
-  void start(const Gap& g, double d, const Root& root);
+  // A cell begins at a gap beside its root, unless another is nearer.
+  void start(const Gap& g, const Root& root);
   void start_at_vertex(Index v, const std::vector<Index>& spokes, std::size_t side);
   void start_on_curve(std::size_t side);
   void start_on_boundary(std::size_t side);
@@ -86,16 +75,13 @@ private:
   // At the corner between side `i` and the next.
   void start_at_corner(std::size_t i, const Network_star& star);
 
-  // From a gap through one of its faces.
-  void spread(const Gap& gap, Index face, double farthest);
-
   Disc_side known_as(Index root) const;
 
   // The longest curve whose two sides a candidate separates, and its length; -1 if there is none.
   std::pair<Index, double> longest_between(const Candidate& c) const;
 
-  // The gaps from `g` back to where its cell begins; none if an exchange since then was on the way.
-  std::vector<Gap> back_from(Gap g);
+  // The nodes from `n` back to where its cell begins; none if an exchange since then was on the way.
+  std::vector<Gap_graph::Node> back_from(Gap_graph::Node n);
 
   // A curve that may take the place of another.
   struct New_curve
@@ -110,14 +96,14 @@ private:
     std::set<Index> edges, vertices;
   };
 
-  // The steps through the gaps of a way, of which `before` come before the face `between`.
-  std::vector<Crossing> steps_along(const std::vector<Gap>& way, std::size_t before, Index between);
+  // The steps along a way, of which `before` come before the face `between`.
+  std::vector<Crossing> steps_along(const std::vector<Gap_graph::Node>& way, std::size_t before, Index between);
 
   // The curve of a candidate, if exchanges before this one have left it its way.
   std::optional<New_curve> find_new_curve(const Candidate& c);
 
   // Whether no exchange before this one may have put a curve's end in the way.
-  bool is_clear(const std::vector<Gap>& way) const;
+  bool is_clear(const std::vector<Gap_graph::Node>& way) const;
 
   // Whether a curve keeps off its ends, and never goes straight back.
   bool is_proper(const New_curve& curve) const;
@@ -145,9 +131,8 @@ private:
   std::vector<double> m_length;                            // of each curve; 0 if it is gone
   std::vector<Root> m_roots;
   std::set<Index> m_changed_edges, m_changed_vertices; // since the cells were grown
-  Gap_records<Reached> m_reached;
+  Gap_graph m_graph;
   std::map<std::pair<std::size_t, std::size_t>, Candidate> m_candidates;
-  Nearest_first<Gap> m_queue;
 };
 
 } // namespace internal
