@@ -17,7 +17,7 @@ constexpr double less = 1 - 1e-12; // rounding must not keep exchanges going
 
 Edge_exchange::Edge_exchange(const Triangle_surface& s, std::vector<char>& is_cut)
   : m_surface(s), m_is_cut(is_cut), m_degree(s.number_of_vertices(), 0), m_side(s.number_of_halfedges(), -1),
-    m_index(s.number_of_halfedges(), -1)
+    m_index(s.number_of_halfedges(), -1), m_local(s.number_of_vertices()), m_is_local(s.number_of_vertices(), 0)
 {
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
@@ -35,12 +35,13 @@ int Edge_exchange::run()
     ++walls;
     if (first < 0 && is_node(m_surface.source(h))) { first = h; }
   }
-  if (first < 0) { return 0; } // there is no path
-  if (walk(first) != walls)
+  if (first < 0 && std::find(m_is_cut.begin(), m_is_cut.end(), 1) == m_is_cut.end()) { return 0; }
+  if (first < 0 || walk(first) != walls)
   {
     throw Invalid_input_error("the edges are no cut graph; more than a disc is left");
   }
   grow();
+  const std::vector<Path> cells = collect_cells();
   std::vector<std::pair<double, Index>> order; // by what they gain
   for (const auto& [sides, c] : m_candidates)
   {
@@ -53,6 +54,13 @@ int Edge_exchange::run()
   std::sort(order.begin(), order.end());
   int exchanged = 0;
   for (const auto& [gain, over] : order) { exchanged += try_exchange(over); }
+  for (std::size_t side = 0; side < cells.size(); ++side)
+  {
+    if (m_sides[side].mate > static_cast<Index>(side) && !m_is_changed[side])
+    {
+      exchanged += straighten(static_cast<Index>(side), cells);
+    }
+  }
   return exchanged;
 }
 
@@ -75,6 +83,7 @@ Index Edge_exchange::walk(Index first)
 {
   m_sides.clear();
   m_order.clear();
+  m_is_changed.clear();
   Index h = first, steps = 0;
   do {
     if (is_node(m_surface.source(h))) { m_order.push_back(add_side({}, -1)); }
@@ -128,6 +137,16 @@ void Edge_exchange::grow()
   });
 }
 
+std::vector<Edge_exchange::Path> Edge_exchange::collect_cells() const
+{
+  std::vector<Path> cells(m_sides.size());
+  for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+  {
+    if (m_reached[v].root >= 0) { cells[m_side[corner(m_reached[v].root)]].push_back(v); }
+  }
+  return cells;
+}
+
 void Edge_exchange::take(Index h, double distance, Index root, double farthest)
 {
   const Index w = m_surface.target(h);
@@ -174,8 +193,8 @@ Edge_exchange::Path Edge_exchange::path_over(Index h) const
   const auto follow = [&](Index v) {
     for (; !is_used(v); v = m_surface.source(path.back()))
     {
-      if (m_reached[v].by < 0) { return false; } // the way began on a path that is gone
-      path.push_back(m_reached[v].by);
+      if (reached(v).by < 0) { return false; } // the way began on a path that is gone
+      path.push_back(reached(v).by);
     }
     return true;
   };
@@ -194,47 +213,117 @@ bool Edge_exchange::try_exchange(Index over)
   if (path.empty()) { return false; }
   double length = 0;
   for (Index h : path) { length += m_length[h]; }
-  const Place from = place(path.front()), to = place(m_surface.opposite[path.back()]);
-  const Index side = longest_between(from, to);
-  if (side < 0 || !(length < less * m_sides[side].length)) { return false; }
-  if (to.rank < from.rank)
-  {
-    std::reverse(path.begin(), path.end());
-    for (Index& h : path) { h = m_surface.opposite[h]; }
-  }
-  exchange(path, side);
-  return true;
+  const Index side = longest_between(place(path.front()), place(m_surface.opposite[path.back()]));
+  return side >= 0 && length < less * m_sides[side].length && exchange(path, side);
 }
 
-void Edge_exchange::exchange(const Path& path, Index side)
+bool Edge_exchange::exchange(const Path& path, Index side)
 {
+  const Index mate = m_sides[side].mate;
+  const Path old = m_sides[side].halfedges;
+  for (Index h : old) { set(h, false); }
   const Index from = corner(path.front()), to = corner(m_surface.opposite[path.back()]);
   split(from);
   split(to);
-  // The way parts the rim in two: from `a` on to `b` on its right, the rest on its left. The path joins the two again.
-  const Path old = m_sides[side].halfedges;
-  const Index a = m_rank[m_side[from]], b = m_rank[m_side[to]], s = m_rank[side], mate = m_rank[m_sides[side].mate];
+  // Without the path the rim falls into two; the way joins the one that it begins at with the one that it ends at.
+  std::rotate(m_order.begin(), std::find(m_order.begin(), m_order.end(), side), m_order.end());
+  const auto middle = std::find(m_order.begin(), m_order.end(), mate);
+  std::vector<Index> first(m_order.begin() + 1, middle), second(middle + 1, m_order.end());
+  if (std::find(first.begin(), first.end(), m_side[from]) == first.end()) { std::swap(first, second); }
+  const auto begin = std::find(first.begin(), first.end(), m_side[from]),
+             end = std::find(second.begin(), second.end(), m_side[to]);
+  if (begin == first.end() || end == second.end())
+  {
+    for (Index h : old) { set(h, true); }
+    number_sides();
+    return false;
+  }
   Path back;
   for (auto h = path.rbegin(); h != path.rend(); ++h) { back.push_back(m_surface.opposite[*h]); }
-  const Index left = add_side(path, -1), right = add_side(back, left);
-  m_sides[left].mate = right;
-  std::vector<Index> order;
-  const auto n = static_cast<Index>(m_order.size());
-  const auto take = [&](Index first, Index last) { // round the rim
-    for (Index i = first; i % n != last; ++i) { order.push_back(m_order[i % n]); }
-  };
-  take(mate + 1, a);
-  order.push_back(left);
-  take(b, mate);
-  take(s + 1, b);
-  order.push_back(right);
-  take(a, s);
-  m_order = order;
-  for (Index h : old) { set(h, false); }
+  const Index there = add_side(path, -1), here = add_side(back, there);
+  m_sides[there].mate = here;
+  m_is_changed[side] = m_is_changed[mate] = 1;
+  std::rotate(first.begin(), begin, first.end());
+  std::rotate(second.begin(), end, second.end());
+  m_order = std::move(first);
+  m_order.push_back(there);
+  m_order.insert(m_order.end(), second.begin(), second.end());
+  m_order.push_back(here);
   for (Index h : path) { set(h, true); }
   number_sides();
   tidy(m_surface.source(old.front()));
   tidy(m_surface.target(old.back()));
+  return true;
+}
+
+bool Edge_exchange::straighten(Index side, const std::vector<Path>& cells)
+{
+  const Path old = m_sides[side].halfedges;
+  Path own = cells[side];
+  own.insert(own.end(), cells[m_sides[side].mate].begin(), cells[m_sides[side].mate].end());
+  for (std::size_t i = 1; i < old.size(); ++i) { own.push_back(m_surface.source(old[i])); }
+  for (Index h : old) { set(h, false); }
+  own.erase(std::remove_if(own.begin(), own.end(), [&](Index v) { return is_used(v); }), own.end());
+  for (Index v : own)
+  {
+    m_is_local[v] = 1;
+    m_local[v] = {};
+  }
+  const Candidate way = search_cells(side, own, less * m_sides[side].length);
+  const Path path = way.over >= 0 ? path_over(way.over) : Path{};
+  for (Index v : own) { m_is_local[v] = 0; }
+  for (Index h : old) { set(h, true); }
+  return !path.empty() && exchange(path, side);
+}
+
+Edge_exchange::Reached Edge_exchange::reached_beside(Index h) const
+{
+  const Index u = m_surface.target(h);
+  if (is_used(u)) { return {0, -1, m_surface.opposite[h]}; }
+  const Reached r = reached(u);
+  return r.root < 0 || !is_used(m_surface.source(r.root)) || is_wall(r.root) ? Reached{} : r;
+}
+
+bool Edge_exchange::comes_from_between(Index root, Index side) const
+{
+  const Index at = m_rank[m_side[corner(root)]], a = m_rank[side], b = m_rank[m_sides[side].mate];
+  return a < b ? a < at && at < b : at > a || at < b;
+}
+
+Edge_exchange::Candidate Edge_exchange::search_cells(Index side, const Path& cells, double limit)
+{
+  Candidate best{limit, -1};
+  m_queue.clear();
+  const auto reach = [&](Index v, const Reached& r) {
+    if (!(r.distance < m_local[v].distance) || 2 * r.distance > best.length) { return; }
+    m_local[v] = r;
+    m_queue.reach(r.distance, v);
+  };
+  for (Index v : cells)
+    m_surface.for_each_outgoing(v, [&](Index h) {
+      if (m_is_local[m_surface.target(h)] || is_wall(h)) { return; }
+      const Reached beside = reached_beside(h);
+      if (beside.root >= 0) { reach(v, {beside.distance + m_length[h], m_surface.opposite[h], beside.root}); }
+    });
+  m_queue.search([&](double at, Index v) {
+    const Reached here = m_local[v];
+    if (at > here.distance) { return false; }
+    const bool is_between = comes_from_between(here.root, side);
+    m_surface.for_each_outgoing(v, [&](Index h) {
+      if (is_wall(h)) { return; }
+      const Index w = m_surface.target(h);
+      if (m_is_local[w]) { reach(w, {at + m_length[h], h, here.root}); }
+      const Reached there = reached_beside(h);
+      if (m_is_local[w] && there.distance > at) { return; } // perhaps not reached for good
+      const double length = at + m_length[h] + there.distance;
+      if (there.root >= 0 && length < best.length && comes_from_between(there.root, side) != is_between)
+      {
+        best = {length, h};
+      }
+    });
+    return false;
+  });
+  return best;
 }
 
 void Edge_exchange::set(Index h, bool is_cut)
@@ -247,6 +336,7 @@ Index Edge_exchange::add_side(const Path& halfedges, Index mate)
 {
   const auto side = static_cast<Index>(m_sides.size());
   m_sides.push_back({{}, mate, 0});
+  m_is_changed.push_back(0);
   for (Index h : halfedges)
   {
     m_side[h] = side;
@@ -277,6 +367,7 @@ void Edge_exchange::split(Index h)
 
 void Edge_exchange::divide(Index side, std::size_t size)
 {
+  m_is_changed[side] = 1;
   Path& all = m_sides[side].halfedges;
   const Path rest(all.begin() + size, all.end());
   all.resize(size);
@@ -297,7 +388,11 @@ void Edge_exchange::tidy(Index v)
   {
     const Index side = m_side[out.front()], mate = m_sides[side].mate;
     const Path all = m_sides[side].halfedges;
-    for (Index gone : {side, mate}) { m_order.erase(std::find(m_order.begin(), m_order.end(), gone)); }
+    for (Index gone : {side, mate})
+    {
+      m_is_changed[gone] = 1;
+      m_order.erase(std::find(m_order.begin(), m_order.end(), gone));
+    }
     for (Index h : all) { set(h, false); }
     number_sides();
     return tidy(m_surface.target(all.back()));
@@ -315,6 +410,7 @@ void Edge_exchange::tidy(Index v)
 
 void Edge_exchange::append(Index side, Index next)
 {
+  m_is_changed[side] = m_is_changed[next] = 1;
   for (Index h : m_sides[next].halfedges)
   {
     m_side[h] = side;

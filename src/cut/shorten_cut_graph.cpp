@@ -101,7 +101,7 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
       at_curve[c] = curves.clock();
     }
     tighten_curves(curves, options);
-    if (!(network_length(curves) < (1 - options.least_gain) * before)) { return; }
+    if (!(network_length(curves) < (1 - 10 * options.least_gain) * before)) { return; }
   }
 }
 

@@ -19,7 +19,8 @@ namespace internal {
 //
 // The cut graph leaves a disc, and the rim of the disc passes every path twice. A way through the disc parts the rim in
 // two, and may take the place of a path that has one side on each. The shortest ways between sides are found by growing
-// a cell from every side, all at once: where two cells touch there is one.
+// a cell from every side, all at once: where two cells touch there is one. Without a path its own two cells are free,
+// and the others grow on into them.
 class Edge_exchange
 {
 public:
@@ -33,7 +34,7 @@ public:
   double length() const;
 
 private:
-  using Path = std::vector<Index>; // of halfedges
+  using Path = std::vector<Index>; // of halfedges, or vertices
 
   // A stretch of the rim between two nodes: one side of a path, or a part of the boundary of the surface.
   struct Side
@@ -73,6 +74,8 @@ private:
   Place place(Index h) const { return {m_rank[m_side[corner(h)]], m_index[corner(h)]}; }
 
   void grow();
+  // The vertices in the cell of each side.
+  std::vector<Path> collect_cells() const;
   // Goes on along a halfedge from a vertex at some distance.
   void take(Index h, double distance, Index root, double farthest);
   // The first halfedge of the way that leads to the source of a halfedge and over it.
@@ -83,8 +86,19 @@ private:
   // The way over a halfedge; empty if it is no more.
   Path path_over(Index h) const;
   bool try_exchange(Index over);
-  // Puts a way from a corner to a later one in the place of a path, of which it has this side on its right.
-  void exchange(const Path& path, Index side);
+  // Puts a way in the place of the path that has some side, if it parts the two sides.
+  bool exchange(const Path& path, Index side);
+
+  // Puts the shortest way through the cells of a path in its place, if that is shorter.
+  bool straighten(Index side, const std::vector<Path>& cells);
+  // With the path taken out, grows the other cells through these. Returns where the shortest way passes that parts its
+  // two sides, if it is shorter than `limit`.
+  Candidate search_cells(Index side, const Path& cells, double limit);
+  // What is known of a vertex beside such cells, or in them.
+  Reached reached_beside(Index h) const;
+  // Whether a way that begins with a halfedge comes from between a side and its mate, along the rim.
+  bool comes_from_between(Index root, Index side) const;
+  const Reached& reached(Index v) const { return m_is_local[v] ? m_local[v] : m_reached[v]; }
   void set(Index h, bool is_cut);
   Index add_side(const Path& halfedges, Index mate);
   // Divides a path, or a part of the boundary, where a halfedge of the rim begins.
@@ -103,7 +117,10 @@ private:
   std::vector<Index> m_rank;    // of each side in this order
   std::vector<Index> m_side;    // of each halfedge on the rim: its side,
   std::vector<Index> m_index;   // and its place there
+  std::vector<char> m_is_changed; // of each side: since the cells were grown
   std::vector<Reached> m_reached;
+  std::vector<Reached> m_local;   // in the cells of a path that is taken out
+  std::vector<char> m_is_local;   // of each vertex: whether it lies there
   Nearest_first<Index> m_queue;
   std::map<std::pair<Index, Index>, Candidate> m_candidates; // of two sides
 };
