@@ -139,7 +139,7 @@ Crossing_loop Crossing_loop_search::close(Gap_walk walk, double across, Index fi
   }
   reduce(walk);
 
-  Crossing_loop loop{{}, across + std::min(onward, backward)};
+  Crossing_loop loop{{}, across, across + std::min(onward, backward)};
   for (std::size_t i = 0; i < stops.size(); ++i)
   {
     const Index face = stops[(i + stops.size() - 1) % stops.size()].face_after;

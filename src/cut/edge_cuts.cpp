@@ -2,8 +2,8 @@
 #include <meridian/cut/edge_cuts.h>
 
 #include <meridian/base/exceptions.h>
-#include <meridian/cut/internal/edge_trees.h>
 #include <meridian/cut/internal/edge_exchange.h>
+#include <meridian/cut/internal/edge_trees.h>
 #include <meridian/cut/internal/straighten_paths.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/Face_tree.h>

@@ -28,40 +28,66 @@ Edge_exchange::Edge_exchange(const Triangle_surface& s, std::vector<char>& is_cu
 
 int Edge_exchange::run()
 {
-  Index first = -1, walls = 0;
+  if (!begin()) { return 0; }
+  grow();
+  const int straightened = straighten_all();
+  return straightened + exchange_all();
+}
+
+bool Edge_exchange::begin()
+{
+  Index first = -1, walls = 0, cut = 0;
   for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
   {
     if (!is_wall(h)) { continue; }
     ++walls;
+    cut += m_is_cut[h];
     if (first < 0 && is_node(m_surface.source(h))) { first = h; }
   }
-  if (first < 0 && std::find(m_is_cut.begin(), m_is_cut.end(), 1) == m_is_cut.end()) { return 0; }
+  if (cut == 0) { return false; }
   if (first < 0 || walk(first) != walls)
   {
-    throw Invalid_input_error("the edges are no cut graph; more than a disc is left");
+    throw Invalid_input_error("exchange_in_edge_cut: the edges are no cut graph; more than a disc is left");
   }
-  grow();
+  return true;
+}
+
+int Edge_exchange::straighten_all()
+{
   const std::vector<Path> cells = collect_cells();
+  int exchanged = 0;
+  for (Index side = 0; side < static_cast<Index>(cells.size()); ++side)
+  {
+    if (m_sides[side].mate > side && !m_is_changed[side]) { exchanged += straighten(side, cells); }
+  }
+  return exchanged;
+}
+
+int Edge_exchange::exchange_all()
+{
   std::vector<std::pair<double, Index>> order; // by what they gain
   for (const auto& [sides, c] : m_candidates)
   {
-    const Index side = longest_between(place(first_of(c.over)), place(first_of(m_surface.opposite[c.over])));
-    if (side >= 0 && c.length < less * m_sides[side].length)
-    {
-      order.emplace_back(c.length - m_sides[side].length, c.over);
-    }
+    const Path path = path_over(c.over);
+    const Index side = path.empty() ? -1 : longest_replaced(path);
+    if (side >= 0) { order.emplace_back(length(path) - m_sides[side].length, c.over); }
   }
   std::sort(order.begin(), order.end());
   int exchanged = 0;
-  for (const auto& [gain, over] : order) { exchanged += try_exchange(over); }
-  for (std::size_t side = 0; side < cells.size(); ++side)
+  for (const auto& [gain, over] : order)
   {
-    if (m_sides[side].mate > static_cast<Index>(side) && !m_is_changed[side])
-    {
-      exchanged += straighten(static_cast<Index>(side), cells);
-    }
+    const Path path = path_over(over);
+    const Index side = path.empty() ? -1 : longest_replaced(path);
+    exchanged += side >= 0 && exchange(path, side);
   }
   return exchanged;
+}
+
+double Edge_exchange::length(const Path& path) const
+{
+  double sum = 0;
+  for (Index h : path) { sum += m_length[h]; }
+  return sum;
 }
 
 double Edge_exchange::length() const
@@ -173,16 +199,22 @@ Index Edge_exchange::first_of(Index h) const
   return is_used(v) ? h : m_reached[v].root;
 }
 
-Index Edge_exchange::longest_between(Place from, Place to) const
+Index Edge_exchange::longest_replaced(const Path& path) const
 {
+  Place from = place(path.front()), to = place(m_surface.opposite[path.back()]);
   if (to.rank < from.rank) { std::swap(from, to); }
   Index best = -1;
+  double longest = length(path) / less;
   for (Index i = from.rank + (from.index > 0); i < to.rank; ++i)
   {
     const Side& side = m_sides[m_order[i]];
-    if (side.mate < 0 || (best >= 0 && side.length <= m_sides[best].length)) { continue; }
+    if (side.mate < 0 || !(side.length > longest)) { continue; }
     const Index mate = m_rank[side.mate];
-    if (mate < from.rank || mate > to.rank || (mate == to.rank && to.index == 0)) { best = m_order[i]; }
+    if (mate < from.rank || mate > to.rank || (mate == to.rank && to.index == 0))
+    {
+      best = m_order[i];
+      longest = side.length;
+    }
   }
   return best;
 }
@@ -205,16 +237,6 @@ Edge_exchange::Path Edge_exchange::path_over(Index h) const
   for (auto i = path.begin() + before; i != path.end(); ++i) { *i = m_surface.opposite[*i]; }
   path.insert(path.begin() + before, h);
   return path;
-}
-
-bool Edge_exchange::try_exchange(Index over)
-{
-  Path path = path_over(over);
-  if (path.empty()) { return false; }
-  double length = 0;
-  for (Index h : path) { length += m_length[h]; }
-  const Index side = longest_between(place(path.front()), place(m_surface.opposite[path.back()]));
-  return side >= 0 && length < less * m_sides[side].length && exchange(path, side);
 }
 
 bool Edge_exchange::exchange(const Path& path, Index side)
@@ -273,7 +295,7 @@ bool Edge_exchange::straighten(Index side, const std::vector<Path>& cells)
   const Path path = way.over >= 0 ? path_over(way.over) : Path{};
   for (Index v : own) { m_is_local[v] = 0; }
   for (Index h : old) { set(h, true); }
-  return !path.empty() && exchange(path, side);
+  return !path.empty() && length(path) < less * m_sides[side].length && exchange(path, side);
 }
 
 Edge_exchange::Reached Edge_exchange::reached_beside(Index h) const
@@ -356,7 +378,8 @@ void Edge_exchange::split(Index h)
   if (mate >= 0)
   {
     divide(mate, m_sides[mate].halfedges.size() - size);
-    const auto last = static_cast<Index>(m_sides.size()) - 1; // the second part of the mate; before it, that of the side
+    // the second part of the mate; before it, that of the side
+    const auto last = static_cast<Index>(m_sides.size()) - 1;
     m_sides[side].mate = last;
     m_sides[last].mate = side;
     m_sides[mate].mate = last - 1;

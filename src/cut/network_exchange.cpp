@@ -123,10 +123,7 @@ void Network_exchange::grow()
     const std::size_t a = m_roots[from_root].side, b = m_roots[to_root].side;
     if (a == b) { return; }
     Candidate& c = m_candidates[std::minmax(a, b)];
-    if (length < c.length)
-    {
-      c = {length, n, to, m_graph.face(region), {known_as(from_root), known_as(to_root)}};
-    }
+    if (length < c.length) { c = {length, n, to, m_graph.face(region), {known_as(from_root), known_as(to_root)}}; }
   });
 }
 

@@ -66,8 +66,8 @@ bool is_monotone(const Refined_surface& s, const std::vector<Index>& loop, const
 
 // The saddle that a longitude turns at on the far side of its handle: of the two extremes of the field along it, the
 // one farther from the meridian's saddle lies beyond it. Returns a vertex of `m.surface`.
-Index find_far_saddle(const Ordered_surface& m, const std::vector<Critical_point>& critical, const Normal_curves& curves,
-                      Index longitude, Index saddle)
+Index find_far_saddle(const Ordered_surface& m, const std::vector<Critical_point>& critical,
+                      const Normal_curves& curves, Index longitude, Index saddle)
 {
   const Triangle_surface& root = curves.surface();
   Index low = m.order.nodes.size(), high = -1;

@@ -42,9 +42,9 @@ std::vector<Index> walk_on_root(const Triangle_surface& root, const Refined_surf
   return walk;
 }
 
-// Of a surface as large as m, a determinant is made of sums of six differences up to m, or of six projected places up to
-// 2 m, each with an error of less than 64 roundings of numbers of size m. What this comes to, times what it is multiplied
-// with, is for a side less than 2^15 roundings of m^2, and for a volume less than 2^20 roundings of m^3.
+// Of a surface as large as m, a determinant is made of sums of six differences up to m, or of six projected places up
+// to 2 m, each with an error of less than 64 roundings of numbers of size m. What this comes to, times what it is
+// multiplied with, is for a side less than 2^15 roundings of m^2, and for a volume less than 2^20 roundings of m^3.
 Exact_signs::Exact_signs(const Triangle_surface& s) : m_surface(s)
 {
   double m = 0;
@@ -68,8 +68,8 @@ Exact_signs::Exact_signs(const Triangle_surface& s) : m_surface(s)
 
 int Exact_signs::side(const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) const
 {
-  const double fast = (b.seen[0] - a.seen[0]) * (q.seen[1] - a.seen[1])
-                      - (b.seen[1] - a.seen[1]) * (q.seen[0] - a.seen[0]);
+  const double fast =
+    (b.seen[0] - a.seen[0]) * (q.seen[1] - a.seen[1]) - (b.seen[1] - a.seen[1]) * (q.seen[0] - a.seen[0]);
   if (fast > m_sure_side) { return 1; }
   if (fast < -m_sure_side) { return -1; }
   const auto v = along(normal<CGAL::Interval_nt<false>>(a, b, a, q));

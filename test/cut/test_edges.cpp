@@ -3,6 +3,7 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include <meridian/base/Union_find.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
@@ -320,6 +321,61 @@ BOOST_AUTO_TEST_CASE(straightening_keeps_a_cut_graph_and_never_lengthens_it)
                                           << ", between any places " << sliding);
   BOOST_TEST(fixed < 0.95 * before);
   BOOST_TEST(sliding < 0.95 * fixed);
+}
+
+// A cut graph that winds about: what a random tree of faces does not cross, without what dangles.
+std::vector<Index> winding_cut(const Triangle_surface& s, unsigned seed)
+{
+  std::vector<Index> edges;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.opposite[h] > h) { edges.push_back(h); }
+  }
+  std::shuffle(edges.begin(), edges.end(), std::mt19937(seed));
+  Union_find pieces(s.number_of_faces());
+  std::vector<char> is_cut(s.number_of_halfedges(), 0);
+  for (Index h : edges)
+  {
+    if (!pieces.unite(s.face(h), s.face(s.opposite[h]))) { is_cut[h] = is_cut[s.opposite[h]] = 1; }
+  }
+  internal::prune(s, is_cut);
+  const auto cut = internal::flagged_edges(s, is_cut);
+  return cut.empty() ? cut_by_tree_cotree(s, static_cast<Index>(seed)) : cut; // a sphere is opened along a path
+}
+
+BOOST_AUTO_TEST_CASE(exchanging_keeps_a_cut_graph_and_never_lengthens_it)
+{
+  double before = 0, straightened = 0, exchanged = 0;
+  for (const Triangle_surface& s : surfaces())
+    for (unsigned seed : {1, 2, 3})
+    {
+      const auto cut = winding_cut(s, seed);
+      double last = length_of_edges(s, cut);
+      before += last;
+      straightened += length_of_edges(s, straighten_edge_cut(s, cut, Path_ends::SLIDE, 50));
+      BOOST_TEST((exchange_in_edge_cut(s, cut, 0) == cut));
+      for (int rounds : {1, 2, 50})
+      {
+        const auto shorter = exchange_in_edge_cut(s, cut, rounds);
+        check_is_disc(s, shorter);
+        BOOST_TEST(length_of_edges(s, shorter) <= last);
+        last = length_of_edges(s, shorter);
+      }
+      exchanged += last;
+    }
+  BOOST_TEST_MESSAGE("lengths together: " << before << ", straightened " << straightened << ", exchanged " << exchanged);
+  BOOST_TEST(exchanged < 0.7 * before);
+  BOOST_TEST(exchanged < 1.05 * straightened);
+}
+
+// A scale or a reflection changes no order of lengths, so the same edges are exchanged.
+BOOST_AUTO_TEST_CASE(exchanging_commutes_with_scaling)
+{
+  for (const Triangle_surface& s : surfaces())
+  {
+    const auto cut = winding_cut(s, 4);
+    BOOST_TEST((exchange_in_edge_cut(s, cut) == exchange_in_edge_cut(sample::scaled(s, 4), cut)));
+  }
 }
 
 // Known answer: a meridian and the inner circle, which meet once.
@@ -727,9 +783,10 @@ BOOST_AUTO_TEST_CASE(what_does_not_exist_is_refused_by_name)
   std::vector<Index> loop; // a meridian alone leaves an annulus
   for (Index j = 0; j < 4; ++j) { loop.push_back(s.edge(s.find_halfedge(j, (j + 1) % 4))); }
   BOOST_CHECK_EXCEPTION(straighten_edge_cut(s, loop), Invalid_input_error, names("no cut graph"));
+  BOOST_CHECK_EXCEPTION(exchange_in_edge_cut(s, loop), Invalid_input_error, names("no cut graph"));
 }
 
-// Straightening ends whatever edges it is given, and says so if they are no cut graph where it finds that.
+// Straightening and exchanging end whatever edges it is given, and says so if they are no cut graph where it finds that.
 BOOST_DATA_TEST_CASE(straightening_ends_for_any_edges, data::xrange(200), seed)
 {
   const auto s = seed % 2 ? sample::torus(5, 4) : annulus(5, 4);
@@ -744,6 +801,7 @@ BOOST_DATA_TEST_CASE(straightening_ends_for_any_edges, data::xrange(200), seed)
   const auto edges = internal::flagged_edges(s, flags);
   try
   {
+    BOOST_TEST(length_of_edges(s, exchange_in_edge_cut(s, edges)) <= length_of_edges(s, edges));
     BOOST_TEST(length_of_edges(s, straighten_edge_cut(s, edges)) <= length_of_edges(s, edges));
   }
   catch (const Invalid_input_error& e)

@@ -61,10 +61,7 @@ public:
   }
 
   // The cell of a root begins at a node, so far away from the root, unless another is nearer. Returns whether it does.
-  bool start(Node n, double distance, Index root)
-  {
-    return reach(n, {distance, -1, -1, root});
-  }
+  bool start(Node n, double distance, Index root) { return reach(n, {distance, -1, -1, root}); }
 
   // Grows all cells at once, none farther than `farthest` (Dijkstra's algorithm). Where two touch,
   // `touch(n, to, region, length)` is told the nodes on the two sides, the region that they lie on, and how far their

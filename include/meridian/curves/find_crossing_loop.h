@@ -28,7 +28,8 @@ struct Gap_walk
 struct Crossing_loop
 {
   std::vector<Crossing> steps;
-  double length;
+  double across; // from one side of the curve to the other, through the middles of gaps
+  double length; // and back along the curve
 };
 
 // Searches for loops; keeps what it knows of the gaps from one search to the next.
@@ -50,7 +51,11 @@ public:
   void note_added(Index curve) { m_graph.forget_around(curve); }
 
 private:
-  enum Side : Index { LEFT, RIGHT };
+  enum Side : Index
+  {
+    LEFT,
+    RIGHT
+  };
   // The shortest way known from one side to the other: two nodes on one region, reached from the two sides.
   struct Way
   {

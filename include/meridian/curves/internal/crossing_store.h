@@ -158,9 +158,9 @@ private:
   std::vector<Chained_crossing> m_crossings;
   std::vector<Curve> m_curves;
   std::vector<std::uint64_t> m_changed; // of each curve: when last
-  std::vector<Index> m_slot; // of each edge: its list, or -1
+  std::vector<Index> m_slot;            // of each edge: its list, or -1
   std::vector<std::vector<Id>> m_lists;
-  std::vector<std::uint64_t> m_list_changed; // of each list: when last
+  std::vector<std::uint64_t> m_list_changed;          // of each list: when last
   std::unordered_map<Index, std::vector<End>> m_ends; // at vertices where curves end
   std::unordered_map<Index, Index> m_along;           // curves that run along an edge
   std::unordered_map<Index, std::uint64_t> m_ends_changed;

@@ -27,7 +27,7 @@ public:
   // `is_cut`: for each halfedge, equal on twins; the edges leave one disc.
   Edge_exchange(const Triangle_surface& s, std::vector<char>& is_cut);
 
-  // Exchanges what there is to exchange at present, the most gainful first. Returns how many paths.
+  // Straightens every path, and then exchanges what there is to exchange, the most gainful first. Returns how many paths.
   int run();
 
   // The length of the cut graph.
@@ -66,6 +66,12 @@ private:
   bool is_used(Index v) const { return m_degree[v] > 0 || m_surface.is_boundary_vertex(v); }
   bool is_node(Index v) const;
 
+  // Goes round the rim. False if nothing is cut.
+  bool begin();
+  int straighten_all();
+  int exchange_all();
+  double length(const Path& path) const;
+
   // Goes round the rim from one of its halfedges on, at a node. Returns how many there are.
   Index walk(Index first);
   void number_sides();
@@ -81,11 +87,10 @@ private:
   // The first halfedge of the way that leads to the source of a halfedge and over it.
   Index first_of(Index h) const;
 
-  // One side of the longest path that a way between two corners of the rim may replace, or -1.
-  Index longest_between(Place from, Place to) const;
+  // One side of the longest path that a way may replace, if that is longer than the way; or -1.
+  Index longest_replaced(const Path& path) const;
   // The way over a halfedge; empty if it is no more.
   Path path_over(Index h) const;
-  bool try_exchange(Index over);
   // Puts a way in the place of the path that has some side, if it parts the two sides.
   bool exchange(const Path& path, Index side);
 
@@ -110,17 +115,17 @@ private:
 
   const Triangle_surface& m_surface;
   std::vector<char>& m_is_cut;
-  std::vector<Index> m_degree; // of each vertex in the cut graph
-  std::vector<double> m_length; // of each halfedge
-  std::vector<Side> m_sides;    // and some that are no more
-  std::vector<Index> m_order;   // of the sides along the rim
-  std::vector<Index> m_rank;    // of each side in this order
-  std::vector<Index> m_side;    // of each halfedge on the rim: its side,
-  std::vector<Index> m_index;   // and its place there
+  std::vector<Index> m_degree;    // of each vertex in the cut graph
+  std::vector<double> m_length;   // of each halfedge
+  std::vector<Side> m_sides;      // and some that are no more
+  std::vector<Index> m_order;     // of the sides along the rim
+  std::vector<Index> m_rank;      // of each side in this order
+  std::vector<Index> m_side;      // of each halfedge on the rim: its side,
+  std::vector<Index> m_index;     // and its place there
   std::vector<char> m_is_changed; // of each side: since the cells were grown
   std::vector<Reached> m_reached;
-  std::vector<Reached> m_local;   // in the cells of a path that is taken out
-  std::vector<char> m_is_local;   // of each vertex: whether it lies there
+  std::vector<Reached> m_local; // in the cells of a path that is taken out
+  std::vector<char> m_is_local; // of each vertex: whether it lies there
   Nearest_first<Index> m_queue;
   std::map<std::pair<Index, Index>, Candidate> m_candidates; // of two sides
 };

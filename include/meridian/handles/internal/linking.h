@@ -86,7 +86,7 @@ private:
   }
 
   const Triangle_surface& m_surface;
-  std::vector<Seen> m_seen; // the vertices, projected
+  std::vector<Seen> m_seen;          // the vertices, projected
   double m_sure_side, m_sure_volume; // a floating-point determinant beyond has the right sign
 };
 
