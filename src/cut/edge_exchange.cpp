@@ -244,6 +244,11 @@ bool Edge_exchange::exchange(const Path& path, Index side)
   const Index mate = m_sides[side].mate;
   const Path old = m_sides[side].halfedges;
   for (Index h : old) { set(h, false); }
+  if (!is_used(m_surface.source(path.front())) || !is_used(m_surface.target(path.back()))) // a loose end of the path
+  {
+    for (Index h : old) { set(h, true); }
+    return false;
+  }
   const Index from = corner(path.front()), to = corner(m_surface.opposite[path.back()]);
   split(from);
   split(to);
@@ -285,6 +290,11 @@ bool Edge_exchange::straighten(Index side, const std::vector<Path>& cells)
   own.insert(own.end(), cells[m_sides[side].mate].begin(), cells[m_sides[side].mate].end());
   for (std::size_t i = 1; i < old.size(); ++i) { own.push_back(m_surface.source(old[i])); }
   for (Index h : old) { set(h, false); }
+  if (!is_used(m_surface.source(old.front())) || !is_used(m_surface.target(old.back()))) // a loose end of the path
+  {
+    for (Index h : old) { set(h, true); }
+    return false;
+  }
   own.erase(std::remove_if(own.begin(), own.end(), [&](Index v) { return is_used(v); }), own.end());
   for (Index v : own)
   {

@@ -18,6 +18,7 @@
 
 #include <boost/test/unit_test.hpp>
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -39,8 +40,8 @@ Normal_curves meridians(const Triangle_surface& s)
   return curves;
 }
 
-// The length of the shortest way from the left side of a curve to its right side, by a search of every gap from there.
-double shortest_across(const Normal_curves& curves, Index curve)
+// How far every gap is from the left side of a curve.
+std::map<Gap, double> distances_from(const Normal_curves& curves, Index curve)
 {
   const Triangle_surface& s = curves.surface();
   const auto point = [&](const Gap& g) { return s.point_on(g.edge, middle_of(curves, g)); };
@@ -66,6 +67,12 @@ double shortest_across(const Normal_curves& curves, Index curve)
     }
     return false;
   });
+  return distance_to;
+}
+
+double shortest_across(const Normal_curves& curves, Index curve)
+{
+  const std::map<Gap, double> distance_to = distances_from(curves, curve);
   double least = std::numeric_limits<double>::infinity();
   for (Index x : curves.crossings(curve))
   {
@@ -106,52 +113,55 @@ BOOST_AUTO_TEST_CASE(the_shortest_way_across_a_curve_is_found_among_more_and_mor
   }
 }
 
-// Every gap inside the surface is a node, and neighbours are what `for_each_gap_around()` visits.
+// Every gap is a node, and is reached by its shortest way, also when curves were added since gaps were first seen.
 BOOST_AUTO_TEST_CASE(cells_that_grow_come_to_every_gap_by_its_shortest_way)
 {
   for (const Triangle_surface& s : surfaces())
   {
-    const Normal_curves curves = meridians(s);
+    Normal_curves curves = meridians(s);
     Gap_graph graph(curves);
-    graph.clear();
-    for (Index x : curves.crossings(0)) { graph.start(graph.node(gap_beside(curves, x, true)), 0, 0); }
-    double farthest = std::numeric_limits<double>::infinity();
-    graph.grow(farthest, [](Index, Index, Index, double) { BOOST_ERROR("one cell touches no other"); });
-    std::size_t gaps = 0;
-    for (Index h = 0; h < s.number_of_halfedges(); ++h)
+    for (Index i = 0; i < curves.number_of_pairs(); ++i)
     {
-      if (s.edge(h) != h) { continue; }
-      for (Index place = 0; place <= static_cast<Index>(curves.on(h).size()); ++place, ++gaps)
+      graph.clear();
+      for (Index x : curves.crossings(0)) { graph.start(graph.node(gap_beside(curves, x, true)), 0, 0); }
+      double farthest = std::numeric_limits<double>::infinity();
+      graph.grow(farthest, [](Index, Index, Index, double) { BOOST_ERROR("one cell touches no other"); });
+      const auto distances = distances_from(curves, 0);
+      BOOST_TEST(distances.size() > static_cast<std::size_t>(s.number_of_halfedges()) / 2);
+      for (const auto& [gap, distance] : distances)
       {
-        BOOST_TEST(graph.reached(graph.node({h, place})).root == 0);
+        BOOST_TEST(graph.reached(graph.node(gap)).distance == distance, boost::test_tools::tolerance(1e-12));
       }
+      Crossing_loop_search search(curves);
+      curves.add(2 * i + 1, search.find(2 * i).steps);
+      graph.forget_around(2 * i + 1);
     }
-    double least = std::numeric_limits<double>::infinity();
-    for (Index x : curves.crossings(0))
-    {
-      least = std::min(least, graph.reached(graph.node(gap_beside(curves, x, false))).distance);
-    }
-    BOOST_TEST(least == shortest_across(curves, 0), boost::test_tools::tolerance(1e-12));
-    BOOST_TEST(gaps > static_cast<std::size_t>(s.number_of_halfedges()) / 2);
   }
 }
 
-// What is noted to be tight stays so until something changes on the edges that it crosses.
+// What is noted to be tight is so until something changes on the edges that it crosses, or its partner does.
 BOOST_AUTO_TEST_CASE(a_tight_curve_is_known_until_something_changes_beside_it)
 {
   const Triangle_surface s = sample::torus(16, 8);
-  Normal_curves curves = meridians(s);
+  const Normal_curves given = meridians(s);
+  std::vector<Crossing> steps;
+  for (Index x : given.crossings(0)) { steps.push_back(given[x]); }
+  Normal_curves curves(s, 4);
+  curves.add(0, steps);
   BOOST_TEST(!curves.tight_length(0).has_value());
   curves.set_tight(0, 7);
   BOOST_TEST(curves.tight_length(0).value_or(0) == 7);
-  Crossing_loop_search search(curves);
-  const Crossing_loop loop = search.find(0);
   {
     Normal_curves::Trial trial(curves);
-    curves.add(1, loop.steps);
+    curves.add(2, steps); // side by side
     BOOST_TEST(!curves.tight_length(0).has_value());
   }
   BOOST_TEST(!curves.tight_length(0).has_value()); // taken back is a change as well
   curves.set_tight(0, 8);
   BOOST_TEST(curves.tight_length(0).value_or(0) == 8);
+  const Crossing_loop loop = Crossing_loop_search(curves).find(0);
+  curves.add(1, loop.steps);
+  curves.set_tight(0, 9);
+  curves.remove(1);
+  BOOST_TEST(!curves.tight_length(0).has_value());
 }

@@ -1,0 +1,231 @@
+// What the program costs in measures of the same run: of reading and writing the files, of one factorization of the
+// mesh's own Laplacian, of another command. usage: bench_targets PROGRAM [MESH | faces:N ...]
+//
+// Times are CPU seconds of whole processes, the median of three, and each ratio is taken within one round. Each answer
+// is verified by the program before it counts.
+#include "support/sample_surfaces.h"
+
+#include "files/read_mesh.h"
+#include "files/write_mesh.h"
+
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+#include <meridian/field/Laplace_system.h>
+#include <meridian/field/edge_weights.h>
+#include <meridian/surface/Closed_model.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/examine_surface.h>
+#include <meridian/surface/shortest_ways.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
+
+namespace {
+
+using namespace meridian;
+namespace fs = std::filesystem;
+
+struct Cost
+{
+  double seconds = 0, megabytes = 0;
+};
+
+bool is_right = true; // every answer so far
+
+// The cost of a child process, which must end with status 0.
+Cost of_child(const std::function<void()>& work)
+{
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  is_right = is_right && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  const auto seconds = [](const timeval& t) { return t.tv_sec + 1e-6 * t.tv_usec; };
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_maxrss / 1024.};
+}
+
+Cost of_program(std::vector<std::string> words)
+{
+  return of_child([&] {
+    std::vector<char*> arguments;
+    for (std::string& w : words) { arguments.push_back(w.data()); }
+    arguments.push_back(nullptr);
+    if (freopen("/dev/null", "w", stdout) == nullptr) { _exit(1); }
+    execv(arguments.front(), arguments.data());
+    _exit(127);
+  });
+}
+
+// A mesh as a file, and what is measured on it.
+class Mesh_costs
+{
+public:
+  Mesh_costs(std::string program, const fs::path& folder, const Polygon_soup& soup)
+    : m_program(std::move(program)), m_input(folder / "input.off"), m_folder(folder)
+  {
+    Examination e = examine_surface(soup);
+    if (e.components.empty()) { std::exit(1); }
+    m_surface = std::move(e.components.front().surface);
+    Result_mesh mesh;
+    mesh.points = m_surface.points;
+    mesh.faces = m_surface.triangles;
+    std::ofstream(m_input, std::ios::binary) << files::format_mesh(m_input, mesh);
+  }
+
+  Index faces() const { return m_surface.number_of_faces(); }
+  Index vertices() const { return m_surface.number_of_vertices(); }
+
+  Cost run(const char* command, std::initializer_list<const char*> options = {}) const
+  {
+    std::vector<std::string> words{m_program, command, m_input, "-o", m_folder / "output.obj"};
+    words.insert(words.end(), options.begin(), options.end());
+    return of_program(words);
+  }
+
+  Cost read_and_write() const
+  {
+    return of_child([&] {
+      CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> mesh;
+      if (!CGAL::IO::read_polygon_mesh(m_input, mesh)) { _exit(1); }
+      CGAL::IO::write_polygon_mesh(m_folder / "copy.off", mesh, CGAL::parameters::stream_precision(17));
+    });
+  }
+
+  // Dijkstra's algorithm on edges once, and all edges sorted.
+  Cost search_and_sort() const
+  {
+    return of_child([&] {
+      const auto way = internal::find_shortest_ways(vertices(), {{0., 0}}, [&](Index v, const auto& reach) {
+        m_surface.for_each_outgoing(v, [&](Index h) { reach(m_surface.target(h), m_surface.length(h)); });
+      });
+      std::vector<std::pair<double, Index>> edges;
+      for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
+      {
+        if (m_surface.edge(h) == h) { edges.emplace_back(m_surface.length(h) + way[m_surface.source(h)], h); }
+      }
+      std::sort(edges.begin(), edges.end());
+      if (!std::is_sorted(edges.begin(), edges.end())) { _exit(1); }
+    });
+  }
+
+  // The Laplacian assembled, ordered and factorized once by the direct solver, and one solution.
+  Cost factorization() const
+  {
+    return of_child([&] {
+      const Closed_model graph = make_closed_model(m_surface);
+      const auto weights = edge_weights(m_surface, Weights::POSITIVE);
+      std::vector<Index> unknown;
+      for (Index a = 1; a < graph.number_of_nodes; ++a) { unknown.push_back(a); }
+      std::vector<double> x(graph.number_of_nodes, 0);
+      x[0] = 1;
+      internal::Laplace_system(graph, weights)
+        .solve(
+          unknown, [](Index) { return 1.; }, x);
+    });
+  }
+
+private:
+  std::string m_program;
+  fs::path m_input, m_folder;
+  Triangle_surface m_surface;
+};
+
+// A plate with n x n holes.
+Polygon_soup plate(int faces, int n)
+{
+  const int side = 2 * n + 1;
+  const double units = 2. * (side * side - n * n) + 4. * n * n + 4. * side;
+  const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(faces / units / 2))));
+  const auto s = sample::skin(
+    {side, side, 1}, [](int i, int j, int) { return i % 2 == 0 || j % 2 == 0; }, k);
+  return sample::soup(sample::noisy(s, 0.2 / k, 1));
+}
+
+// Prints the median of the ratios of two costs, the first of them at its median.
+void print(const std::string& mesh, const char* what, const char* of, double target, std::vector<Cost> costs,
+           const std::vector<Cost>& measures)
+{
+  std::vector<double> ratio;
+  for (std::size_t i = 0; i < costs.size(); ++i) { ratio.push_back(costs[i].seconds / measures[i].seconds); }
+  std::sort(ratio.begin(), ratio.end());
+  std::sort(costs.begin(), costs.end(), [](const Cost& a, const Cost& b) { return a.seconds < b.seconds; });
+  const Cost& median = costs[costs.size() / 2];
+  std::printf("| %s | %s | %.2f | %.0f | %s | %.2f | %.1f |\n", mesh.c_str(), what, median.seconds, median.megabytes,
+              of, ratio[ratio.size() / 2], target);
+  std::fflush(stdout);
+}
+
+void measure(const std::string& name, const Mesh_costs& mesh)
+{
+  std::map<std::string, std::vector<Cost>> all;
+  for (int i = 0; i < 3; ++i)
+  {
+    all["files"].push_back(mesh.read_and_write());
+    all["cut"].push_back(mesh.run("cut"));
+    all["graph"].push_back(mesh.run("cut", {"--tighten", "graph"}));
+    all["tree"].push_back(mesh.run("cut", {"--method", "tree-cotree", "--bases", "1"}));
+    all["search"].push_back(mesh.search_and_sort());
+    all["search"].back().seconds += all["files"].back().seconds;
+    all["generators"].push_back(mesh.run("generators"));
+    all["factorization"].push_back(mesh.factorization());
+    if (mesh.faces() < 200000) { all["unwrap"].push_back(mesh.run("unwrap")); }
+  }
+  print(name, "cut", "reading and writing", 1.5, all["cut"], all["files"]);
+  print(name, "cut, tree-cotree", "Dijkstra, sorting, reading and writing", 1.2, all["tree"], all["search"]);
+  print(name, "cut, graph tightened", "cut", 1.5, all["graph"], all["cut"]);
+  print(name, "generators", "cut", 4, all["generators"], all["cut"]);
+  if (!all["unwrap"].empty()) { print(name, "unwrap", "factorization", 20, all["unwrap"], all["factorization"]); }
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (openblas_set_num_threads) { openblas_set_num_threads(1); }
+  if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
+  if (argc < 2)
+  {
+    std::fputs("usage: bench_targets PROGRAM [MESH | faces:N ...]\n", stderr);
+    return 64;
+  }
+  const fs::path folder = fs::temp_directory_path() / ("meridian-targets-" + std::to_string(getpid()));
+  fs::create_directory(folder);
+  std::vector<std::string> meshes(argv + 2, argv + argc);
+  if (meshes.empty()) { meshes = {"faces:100000", "faces:300000"}; }
+  std::puts("| mesh | what | CPU s | MB | measure | ratio | target |\n|---|---|---|---|---|---|---|");
+  std::fflush(stdout); // before it is forked
+  for (const std::string& name : meshes)
+  {
+    const bool is_made = name.rfind("faces:", 0) == 0;
+    const Mesh_costs mesh(fs::absolute(argv[1]), folder,
+                          is_made ? plate(std::atoi(name.c_str() + 6), 3) : files::read_mesh(name));
+    measure(is_made ? "plate, " + std::to_string(mesh.faces()) : fs::path(name).filename().string(), mesh);
+  }
+  fs::remove_all(folder);
+  if (!is_right) { std::puts("ERROR: not every answer was right"); }
+  return is_right ? 0 : 1;
+}
