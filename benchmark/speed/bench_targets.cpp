@@ -18,8 +18,8 @@
 #include <meridian/surface/shortest_ways.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <sys/resource.h>
 #include <sys/wait.h>

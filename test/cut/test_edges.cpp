@@ -787,7 +787,7 @@ BOOST_AUTO_TEST_CASE(what_does_not_exist_is_refused_by_name)
   BOOST_CHECK_EXCEPTION(exchange_in_edge_cut(s, loop), Invalid_input_error, names("no cut graph"));
 }
 
-// Straightening and exchanging end whatever edges it is given, and says so if they are no cut graph where it finds that.
+// Whatever edges they are given, both end, and say so if these are no cut graph where they find that.
 BOOST_DATA_TEST_CASE(straightening_ends_for_any_edges, data::xrange(200), seed)
 {
   const auto s = seed % 2 ? sample::torus(5, 4) : annulus(5, 4);

@@ -27,7 +27,8 @@ public:
   // `is_cut`: for each halfedge, equal on twins; the edges leave one disc.
   Edge_exchange(const Triangle_surface& s, std::vector<char>& is_cut);
 
-  // Straightens every path, and then exchanges what there is to exchange, the most gainful first. Returns how many paths.
+  // Straightens every path, and then exchanges what there is to exchange, the most gainful first. Returns how many
+  // paths.
   int run();
 
   // The length of the cut graph.

@@ -29,7 +29,8 @@ struct Weighted_point
 class Exact_signs
 {
 public:
-  // The surface is seen along this direction: no edge and no face of a mesh whose vertices lie on a grid stands upright.
+  // The surface is seen along this direction: of a mesh whose vertices lie on a grid no edge and no face stands
+  // upright.
   static constexpr std::array<double, 3> direction{0.29289321881345254, 0.41421356237309515, 1};
 
   explicit Exact_signs(const Triangle_surface& s);
