@@ -19,7 +19,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -110,8 +110,8 @@ public:
   {
     return of_child([&] {
       CGAL::Surface_mesh<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3> mesh;
-      if (!CGAL::IO::read_polygon_mesh(m_input, mesh)) { _exit(1); }
-      CGAL::IO::write_polygon_mesh(m_folder / "copy.off", mesh, CGAL::parameters::stream_precision(17));
+      if (!CGAL::IO::read_OFF(m_input, mesh)) { _exit(1); }
+      CGAL::IO::write_OFF(m_folder / "copy.off", mesh, CGAL::parameters::stream_precision(17));
     });
   }
 

@@ -243,10 +243,10 @@ bool Edge_exchange::exchange(const Path& path, Index side)
 {
   const Index mate = m_sides[side].mate;
   const Path old = m_sides[side].halfedges;
-  for (Index h : old) { set(h, false); }
+  set(old, false);
   if (!is_used(m_surface.source(path.front())) || !is_used(m_surface.target(path.back()))) // a loose end of the path
   {
-    for (Index h : old) { set(h, true); }
+    set(old, true);
     return false;
   }
   const Index from = corner(path.front()), to = corner(m_surface.opposite[path.back()]);
@@ -261,7 +261,7 @@ bool Edge_exchange::exchange(const Path& path, Index side)
              end = std::find(second.begin(), second.end(), m_side[to]);
   if (begin == first.end() || end == second.end())
   {
-    for (Index h : old) { set(h, true); }
+    set(old, true);
     number_sides();
     return false;
   }
@@ -276,7 +276,7 @@ bool Edge_exchange::exchange(const Path& path, Index side)
   m_order.push_back(there);
   m_order.insert(m_order.end(), second.begin(), second.end());
   m_order.push_back(here);
-  for (Index h : path) { set(h, true); }
+  set(path, true);
   number_sides();
   tidy(m_surface.source(old.front()));
   tidy(m_surface.target(old.back()));
@@ -289,10 +289,10 @@ bool Edge_exchange::straighten(Index side, const std::vector<Path>& cells)
   Path own = cells[side];
   own.insert(own.end(), cells[m_sides[side].mate].begin(), cells[m_sides[side].mate].end());
   for (std::size_t i = 1; i < old.size(); ++i) { own.push_back(m_surface.source(old[i])); }
-  for (Index h : old) { set(h, false); }
+  set(old, false);
   if (!is_used(m_surface.source(old.front())) || !is_used(m_surface.target(old.back()))) // a loose end of the path
   {
-    for (Index h : old) { set(h, true); }
+    set(old, true);
     return false;
   }
   own.erase(std::remove_if(own.begin(), own.end(), [&](Index v) { return is_used(v); }), own.end());
@@ -304,7 +304,7 @@ bool Edge_exchange::straighten(Index side, const std::vector<Path>& cells)
   const Candidate way = search_cells(side, own, less * m_sides[side].length);
   const Path path = way.over >= 0 ? path_over(way.over) : Path{};
   for (Index v : own) { m_is_local[v] = 0; }
-  for (Index h : old) { set(h, true); }
+  set(old, true);
   return !path.empty() && length(path) < less * m_sides[side].length && exchange(path, side);
 }
 
@@ -358,10 +358,13 @@ Edge_exchange::Candidate Edge_exchange::search_cells(Index side, const Path& cel
   return best;
 }
 
-void Edge_exchange::set(Index h, bool is_cut)
+void Edge_exchange::set(const Path& path, bool is_cut)
 {
-  m_is_cut[h] = m_is_cut[m_surface.opposite[h]] = is_cut;
-  for (Index v : {m_surface.source(h), m_surface.target(h)}) { m_degree[v] += is_cut ? 1 : -1; }
+  for (Index h : path)
+  {
+    m_is_cut[h] = m_is_cut[m_surface.opposite[h]] = is_cut;
+    for (Index v : {m_surface.source(h), m_surface.target(h)}) { m_degree[v] += is_cut ? 1 : -1; }
+  }
 }
 
 Index Edge_exchange::add_side(const Path& halfedges, Index mate)
@@ -426,7 +429,7 @@ void Edge_exchange::tidy(Index v)
       m_is_changed[gone] = 1;
       m_order.erase(std::find(m_order.begin(), m_order.end(), gone));
     }
-    for (Index h : all) { set(h, false); }
+    set(all, false);
     number_sides();
     return tidy(m_surface.target(all.back()));
   }

@@ -105,7 +105,7 @@ private:
   // Whether a way that begins with a halfedge comes from between a side and its mate, along the rim.
   bool comes_from_between(Index root, Index side) const;
   const Reached& reached(Index v) const { return m_is_local[v] ? m_local[v] : m_reached[v]; }
-  void set(Index h, bool is_cut);
+  void set(const Path& path, bool is_cut);
   Index add_side(const Path& halfedges, Index mate);
   // Divides a path, or a part of the boundary, where a halfedge of the rim begins.
   void split(Index h);
