@@ -43,6 +43,12 @@ Index Gap_graph::trace_region(Node n, Index face)
   return region;
 }
 
+void Gap_graph::clear()
+{
+  ++m_run;
+  m_queue.clear();
+}
+
 void Gap_graph::forget_around(Index curve)
 {
   for (Index x : m_curves.crossings(curve)) { forget_edge(m_curves.edge(x)); }

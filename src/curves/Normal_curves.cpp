@@ -61,7 +61,7 @@ bool Normal_curves::has_changed_at(Index v, std::uint64_t since) const
 
 void Normal_curves::set_tight(Index curve, double length)
 {
-  if (m_tight.size() <= static_cast<std::size_t>(curve)) { m_tight.resize(number_of_curves()); }
+  if (m_tight.size() <= static_cast<std::size_t>(curve)) { m_tight.resize(number_of_curves(), {0, -1}); }
   m_tight[curve] = {m_store.clock(), length};
 }
 

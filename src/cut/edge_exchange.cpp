@@ -372,6 +372,12 @@ Index Edge_exchange::add_side(const Path& halfedges, Index mate)
   const auto side = static_cast<Index>(m_sides.size());
   m_sides.push_back({{}, mate, 0});
   m_is_changed.push_back(0);
+  extend(side, halfedges);
+  return side;
+}
+
+void Edge_exchange::extend(Index side, const Path& halfedges)
+{
   for (Index h : halfedges)
   {
     m_side[h] = side;
@@ -379,7 +385,6 @@ Index Edge_exchange::add_side(const Path& halfedges, Index mate)
     m_sides[side].halfedges.push_back(h);
     m_sides[side].length += m_length[h];
   }
-  return side;
 }
 
 void Edge_exchange::split(Index h)
@@ -407,8 +412,7 @@ void Edge_exchange::divide(Index side, std::size_t size)
   Path& all = m_sides[side].halfedges;
   const Path rest(all.begin() + size, all.end());
   all.resize(size);
-  m_sides[side].length = 0;
-  for (Index h : all) { m_sides[side].length += m_length[h]; }
+  m_sides[side].length = length(all);
   const Index second = add_side(rest, -1);
   m_order.insert(std::find(m_order.begin(), m_order.end(), side) + 1, second);
 }
@@ -447,13 +451,7 @@ void Edge_exchange::tidy(Index v)
 void Edge_exchange::append(Index side, Index next)
 {
   m_is_changed[side] = m_is_changed[next] = 1;
-  for (Index h : m_sides[next].halfedges)
-  {
-    m_side[h] = side;
-    m_index[h] = static_cast<Index>(m_sides[side].halfedges.size());
-    m_sides[side].halfedges.push_back(h);
-    m_sides[side].length += m_length[h];
-  }
+  extend(side, m_sides[next].halfedges);
   m_order.erase(std::find(m_order.begin(), m_order.end(), next));
 }
 

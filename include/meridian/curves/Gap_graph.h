@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -36,7 +37,6 @@ public:
   explicit Gap_graph(const Normal_curves& curves)
     : m_curves(curves), m_surface(curves.surface()), m_first(curves.surface().number_of_halfedges(), -1)
   {}
-
   explicit Gap_graph(Normal_curves&& curves) = delete;
 
   // The node of a gap that lies inside the surface.
@@ -46,7 +46,6 @@ public:
   const Point& point(Node n) const { return m_nodes[n].point; }
   Index face(Index region) const { return m_members[region]; }
   const Reached& reached(Node n) { return record(n); }
-  bool is_reached(Node n) { return record(n).root >= 0; }
 
   // Forgets everything.
   void forget();
@@ -54,11 +53,7 @@ public:
   void forget_around(Index curve);
 
   // Begins another search.
-  void clear()
-  {
-    ++m_run;
-    m_queue.clear();
-  }
+  void clear();
 
   // The cell of a root begins at a node, so far away from the root, unless another is nearer. Returns whether it does.
   bool start(Node n, double distance, Index root) { return reach(n, {distance, -1, -1, root}); }
@@ -89,11 +84,7 @@ private:
   Reached& record(Node n)
   {
     Gap_node& of = m_nodes[n];
-    if (of.run != m_run)
-    {
-      of.reached = Reached{};
-      of.run = m_run;
-    }
+    if (std::exchange(of.run, m_run) != m_run) { of.reached = Reached{}; }
     return of.reached;
   }
 
@@ -121,11 +112,8 @@ private:
         if (to == n) { continue; }
         const Reached& there = record(to);
         const double d = here.distance + distance(from, point(to));
-        // a node that is no farther is reached for good
-        if (there.distance <= here.distance && there.root != here.root && there.region != r)
-        {
-          touch(n, to, r, d + there.distance);
-        }
+        const bool is_for_good = there.distance <= here.distance;
+        if (is_for_good && there.root != here.root && there.region != r) { touch(n, to, r, d + there.distance); }
         if (d <= farthest) { reach(to, {d, n, r, here.root}); }
       }
     }

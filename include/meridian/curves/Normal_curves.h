@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -129,13 +130,8 @@ private:
   void link_new(Index curve, const std::vector<Crossing>& steps);
 
   internal::Crossing_store m_store;
-  std::vector<Index> m_meeting; // of each pair: the face where its chords cross, or -1
-  struct Tight
-  {
-    std::uint64_t since = 0;
-    double length = -1;
-  };
-  std::vector<Tight> m_tight; // what is known of each curve
+  std::vector<Index> m_meeting;                          // of each pair: the face where its chords cross, or -1
+  std::vector<std::pair<std::uint64_t, double>> m_tight; // of each curve: when it was noted to be tight, its length
 };
 
 } // namespace meridian

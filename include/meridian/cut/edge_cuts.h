@@ -100,20 +100,15 @@ std::vector<Index> straighten_edge_cut(
  *
  * puts shorter paths of edges in the place of others, wherever they lie.
  *
- * A way through the disc that a cut graph leaves parts its rim in two, and may take the place of any path that has one
- * side on each. The shortest ways between two sides are found all at once, where the cells of the nearest sides touch,
- * and each takes the place of the longest path it can; the one that gains most comes first.
- *
- * \param s the surface
- * \param cut the edges, a halfedge of each
- * \param rounds how often all cells are grown at most; it ends when that gains less than a thousandth
- *
+ * A way through the disc that a cut graph leaves may take the place of any path that has a side on either hand of it.
+ * The shortest are found all at once, where the cells of the nearest sides touch; what gains most is exchanged first.
+ * \param s the surface \param cut the edges, a halfedge of each
+ * \param rounds of growing cells at most; it ends when one gains less than a thousandth
  * \returns the edges of the shorter cut graph, sorted
- * \pre `s` is connected, and cutting it along the edges leaves one disc
- * \post cutting along them leaves one disc, and they are not longer than before
+ * \pre `s` is connected, and cutting it along the edges leaves one disc, as it does afterwards
  * \throws Invalid_input_error if more than a disc is left
  * \par Complexity
- * For each round \f$ O(n \log n) \f$, and the size of the cut graph for every exchange
+ * For each round \f$ O(n \log n) \f$, and for every exchange the number of paths
  */
 std::vector<Index> exchange_in_edge_cut(const Triangle_surface& s, const std::vector<Index>& cut, int rounds = 10);
 

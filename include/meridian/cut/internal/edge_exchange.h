@@ -107,6 +107,7 @@ private:
   const Reached& reached(Index v) const { return m_is_local[v] ? m_local[v] : m_reached[v]; }
   void set(const Path& path, bool is_cut);
   Index add_side(const Path& halfedges, Index mate);
+  void extend(Index side, const Path& halfedges);
   // Divides a path, or a part of the boundary, where a halfedge of the rim begins.
   void split(Index h);
   void divide(Index side, std::size_t size);
