@@ -72,6 +72,7 @@ void cut_along_contours(Cut_job& job, const Field_options& field, const Meridian
     {
       meridians = snap_to_edges(root, meridians, options.refine_where_needed);
     }
+    cut.surface = Refined_surface(root);
     add_curves(cut, Curve_kind::MERIDIAN, insert_curves(root, cut.surface, meridians).vertices);
     for (std::size_t i = 0; i < cut.choices.size(); ++i)
     {

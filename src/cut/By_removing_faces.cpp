@@ -11,6 +11,7 @@ namespace meridian {
 void By_removing_faces::cut_handles(Cut_job& job) const
 {
   Refined_surface& s = job.cut.surface;
+  s = Refined_surface(job.root);
   job.run(Stage::MERIDIANS, [&] { flag_seam(s, cut_by_removing_faces(job.root)); });
   add_curves(job.cut, Curve_kind::PATH, seam_paths(s));
 }

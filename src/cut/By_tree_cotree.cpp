@@ -29,6 +29,7 @@ void check(const Triangle_surface& s, const By_tree_cotree& method)
 void By_tree_cotree::cut_handles(Cut_job& job) const
 {
   Refined_surface& s = job.cut.surface;
+  s = Refined_surface(job.root);
   job.run(Stage::MERIDIANS, [&] {
     flag_seam(s, source >= 0
                    ? cut_by_tree_cotree(job.root, source, metric)

@@ -60,7 +60,6 @@ Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options)
   cut.boundary_loops = static_cast<int>(boundary_loops(root).size());
   cut.genus = genus(root);
   cut.smallest_angle_before = smallest_angle(root);
-  cut.surface = Refined_surface(root);
 
   const bool is_disc = cut.genus == 0 && cut.boundary_loops == 1;
   Cut_job job{root, options, run, cut};
@@ -68,6 +67,7 @@ Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options)
   {
     std::visit([&](const auto& method) { method.cut_handles(job); }, options.method);
   }
+  else { cut.surface = Refined_surface(root); }
   run(Stage::LINKS, [&] { internal::link(root, options, job.guides, run, cut); });
   cut.length_found = seam_length(cut.surface);
   if (!is_disc) { internal::reshape_graph(root, options, run, cut); }

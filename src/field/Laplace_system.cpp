@@ -23,9 +23,8 @@ void Laplace_system::solve(const std::vector<Index>& unknown, int sides, const K
   if (unknown.empty()) { return; }
   const std::size_t n = unknown.size();
   std::vector<std::vector<double>> right(sides, std::vector<double>(n));
-  const Sparse_matrix a = assemble(unknown, known, right);
   const auto solver = m_make_solver();
-  const bool is_factored = solver->factor(a);
+  const bool is_factored = solver->factor(assemble(unknown, known, right)); // the matrix is gone before solving
   std::vector<double> solution;
   for (int k = 0; k < sides; ++k)
   {

@@ -20,15 +20,47 @@ void Unit_matrix::reserve(Index n, std::size_t values)
 void Unit_matrix::add_row(std::vector<std::pair<Index, double>>& row)
 {
   const Index i = rows();
+  begin.push_back(begin.back() + static_cast<Index>(row.size()));
+  middle.push_back(0);
+  column.resize(begin.back());
+  value.resize(begin.back());
+  set_row(i, row);
+}
+
+void Unit_matrix::set_row(Index i, std::vector<std::pair<Index, double>>& row)
+{
   std::sort(row.begin(), row.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-  middle.push_back(begin.back());
+  Index place = begin[i];
+  middle[i] = place;
   for (const auto& [j, x] : row)
   {
-    middle.back() += j < i;
-    column.push_back(j);
-    value.push_back(x);
+    middle[i] += j < i;
+    column[place] = j;
+    value[place++] = x;
   }
-  begin.push_back(static_cast<Index>(column.size()));
+}
+
+namespace {
+
+template <class T> void append(std::vector<T>& to, const std::vector<T>& what)
+{
+  to.insert(to.end(), what.begin(), what.end());
+}
+
+} // namespace
+
+void Sparse_rows::append(const Sparse_rows& rows)
+{
+  const Index before = begin.back();
+  for (std::size_t i = 1; i < rows.begin.size(); ++i) { begin.push_back(before + rows.begin[i]); }
+  internal::append(column, rows.column);
+  internal::append(value, rows.value);
+}
+
+Index half_of(Index rows)
+{
+  constexpr Index least = 50000; // rows that are worth a thread
+  return rows < least ? rows : rows / 2;
 }
 
 void Sparse_rows::reserve(Index n, std::size_t values)
@@ -194,22 +226,23 @@ Sparse_rows interpolate(const Unit_matrix& a, const Dependence& dependence, cons
   for (double& x : size) { x = std::sqrt(x); }
   Sparse_rows p;
   p.columns = aggregation.number_of_groups();
-  p.reserve(a.rows(), 3 * static_cast<std::size_t>(a.rows()));
-  Row_sum sum(p);
-  for (Index i = 0; i < a.rows(); ++i)
-  {
-    double diagonal = 1; // with what is weak, so that the row still takes what is smooth to the same
-    for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
-      if (!dependence.is_strong(i, k)) { diagonal -= dependence.degree(k) / smooth[i]; }
-    if (!(diagonal > 0.1)) { diagonal = 1; }
-    const auto add = [&](Index j, double x) {
-      if (group[j] >= 0) { sum.add(group[j], x * smooth[j] / size[group[j]]); }
-    };
-    add(i, 1 - damping);
-    for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
-      if (dependence.is_strong(i, k)) { add(a.column[k], -damping / diagonal * a.value[k]); }
-    sum.end_row();
-  }
+  make_by_halves(p, a.rows(), 3 * static_cast<std::size_t>(a.rows()), [&](Index first, Index last, Sparse_rows& part) {
+    Row_sum sum(part);
+    for (Index i = first; i < last; ++i)
+    {
+      double diagonal = 1; // with what is weak, so that the row still takes what is smooth to the same
+      for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
+        if (!dependence.is_strong(i, k)) { diagonal -= dependence.degree(k) / smooth[i]; }
+      if (!(diagonal > 0.1)) { diagonal = 1; }
+      const auto add = [&](Index j, double x) {
+        if (group[j] >= 0) { sum.add(group[j], x * smooth[j] / size[group[j]]); }
+      };
+      add(i, 1 - damping);
+      for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
+        if (dependence.is_strong(i, k)) { add(a.column[k], -damping / diagonal * a.value[k]); }
+      sum.end_row();
+    }
+  });
   smooth = std::move(size);
   return p;
 }
@@ -219,18 +252,19 @@ Sparse_rows multiply(const Unit_matrix& a, const Sparse_rows& p)
 {
   Sparse_rows product;
   product.columns = p.columns;
-  product.reserve(a.rows(), 2 * p.column.size());
-  Row_sum sum(product);
-  for (Index i = 0; i < a.rows(); ++i)
-  {
-    for (Index l = p.begin[i]; l < p.begin[i + 1]; ++l) { sum.add(p.column[l], p.value[l]); }
-    for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
-      for (Index l = p.begin[a.column[k]]; l < p.begin[a.column[k] + 1]; ++l)
-      {
-        sum.add(p.column[l], a.value[k] * p.value[l]);
-      }
-    sum.end_row();
-  }
+  make_by_halves(product, a.rows(), 2 * p.column.size(), [&](Index first, Index last, Sparse_rows& part) {
+    Row_sum sum(part);
+    for (Index i = first; i < last; ++i)
+    {
+      for (Index l = p.begin[i]; l < p.begin[i + 1]; ++l) { sum.add(p.column[l], p.value[l]); }
+      for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
+        for (Index l = p.begin[a.column[k]]; l < p.begin[a.column[k] + 1]; ++l)
+        {
+          sum.add(p.column[l], a.value[k] * p.value[l]);
+        }
+      sum.end_row();
+    }
+  });
   return product;
 }
 
@@ -259,16 +293,18 @@ Sparse_rows multiply(const Sparse_rows& a, const Sparse_rows& b)
 {
   Sparse_rows product;
   product.columns = b.columns;
-  Row_sum sum(product);
-  for (Index i = 0; i < a.rows(); ++i)
-  {
-    for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
-      for (Index l = b.begin[a.column[k]]; l < b.begin[a.column[k] + 1]; ++l)
-      {
-        sum.add(b.column[l], a.value[k] * b.value[l]);
-      }
-    sum.end_row();
-  }
+  make_by_halves(product, a.rows(), b.column.size(), [&](Index first, Index last, Sparse_rows& part) {
+    Row_sum sum(part);
+    for (Index i = first; i < last; ++i)
+    {
+      for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
+        for (Index l = b.begin[a.column[k]]; l < b.begin[a.column[k] + 1]; ++l)
+        {
+          sum.add(b.column[l], a.value[k] * b.value[l]);
+        }
+      sum.end_row();
+    }
+  });
   return product;
 }
 
@@ -296,33 +332,11 @@ Unit_matrix scale_to_ones(const Sparse_rows& a, std::vector<double>& scale)
 Unit_matrix coarsen(const Unit_matrix& a, Sparse_rows& p, std::vector<double>& smooth)
 {
   std::vector<double> scale;
-  Unit_matrix coarse = scale_to_ones(multiply(transpose(p), multiply(a, p)), scale);
+  const Sparse_rows product = multiply(transpose(p), multiply(a, p)); // whose factors are gone in the next line
+  Unit_matrix coarse = scale_to_ones(product, scale);
   for (std::size_t l = 0; l < p.value.size(); ++l) { p.value[l] *= scale[p.column[l]]; }
   for (std::size_t c = 0; c < scale.size(); ++c) { smooth[c] /= scale[c]; }
   return coarse;
-}
-
-// Gauss and Seidel's iteration, once forwards from zero. What is then left of row `i` is what the places behind its
-// diagonal take away.
-void smooth_from_zero(const Unit_matrix& a, const std::vector<double>& b, std::vector<double>& x)
-{
-  for (Index i = 0; i < a.rows(); ++i)
-  {
-    double sum = b[i];
-    for (Index k = a.begin[i]; k < a.middle[i]; ++k) { sum -= a.value[k] * x[a.column[k]]; }
-    x[i] = sum;
-  }
-}
-
-// The same once backwards, from what is there.
-void smooth_backwards(const Unit_matrix& a, const std::vector<double>& b, std::vector<double>& x)
-{
-  for (Index i = a.rows(); i-- > 0;)
-  {
-    double sum = b[i];
-    for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k) { sum -= a.value[k] * x[a.column[k]]; }
-    x[i] = sum;
-  }
 }
 
 } // namespace
@@ -343,9 +357,11 @@ Multilevel::Multilevel(const Unit_matrix& matrix, std::vector<double> smooth) : 
     m_levels[i].to_next = interpolate(a, dependence, aggregation, smooth);
     next.matrix = coarsen(a, m_levels[i].to_next, smooth);
     m_levels[i].right.resize(groups);
+    if (half_of(a.rows()) < a.rows()) { m_levels[i].right_of_second.resize(groups); }
     m_levels[i].solution.resize(groups);
     m_levels.push_back(std::move(next));
   }
+  for (std::size_t i = 0; i < m_levels.size(); ++i) { find_bridges(i); }
   if (this->matrix(m_levels.size() - 1).rows() <= few) { factor_last(); }
 }
 
@@ -359,6 +375,93 @@ void Multilevel::factor_last()
   m_is_last_factored = m_last.info() == Eigen::Success;
 }
 
+void Multilevel::find_bridges(std::size_t level)
+{
+  const Unit_matrix& a = matrix(level);
+  const Index half = half_of(a.rows());
+  for (Index i = 0; i < a.rows() && half < a.rows(); ++i)
+  {
+    if (a.begin[i] == a.begin[i + 1]) { continue; }
+    if (i < half ? a.column[a.begin[i + 1] - 1] < half : a.column[a.begin[i]] >= half) { continue; }
+    for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
+      if ((a.column[k] < half) != (i < half)) { m_levels[level].bridges.push_back({i, a.column[k], a.value[k]}); }
+  }
+}
+
+// Gauss and Seidel's iteration, once forwards from zero in each half. What is then left of a row is what the places
+// behind its diagonal take away, and those of the other half; the next level is asked for that.
+void Multilevel::smooth_and_restrict(std::size_t level, const std::vector<double>& b, std::vector<double>& x)
+{
+  const Unit_matrix& a = matrix(level);
+  Level& l = m_levels[level];
+  const Sparse_rows& p = l.to_next;
+  const auto restrict_to = [&](std::vector<double>& right, Index i, double residual) {
+    for (Index k = p.begin[i]; k < p.begin[i + 1]; ++k) { right[p.column[k]] += p.value[k] * residual; }
+  };
+  for_both_halves(a.rows(), [&](Index first, Index last) {
+    for (Index i = first; i < last; ++i)
+    {
+      double sum = b[i];
+      Index k = a.begin[i];
+      while (k < a.middle[i] && a.column[k] < first) { ++k; }
+      for (; k < a.middle[i]; ++k) { sum -= a.value[k] * x[a.column[k]]; }
+      x[i] = sum;
+    }
+    if (p.rows() == 0) { return; }
+    std::vector<double>& right = first == 0 ? l.right : l.right_of_second;
+    std::fill(right.begin(), right.end(), 0.);
+    for (Index i = first; i < last; ++i)
+    {
+      double residual = 0;
+      for (Index k = a.middle[i]; k < a.begin[i + 1] && a.column[k] < last; ++k)
+      {
+        residual -= a.value[k] * x[a.column[k]];
+      }
+      restrict_to(right, i, residual);
+    }
+  });
+  if (p.rows() == 0) { return; }
+  for (std::size_t c = 0; c < l.right_of_second.size(); ++c) { l.right[c] += l.right_of_second[c]; }
+  for (const Bridge& bridge : l.bridges) { restrict_to(l.right, bridge.row, -bridge.value * x[bridge.column]); }
+}
+
+double Multilevel::corrected(const Level& level, Index i, const std::vector<double>& x) const
+{
+  const Sparse_rows& p = level.to_next;
+  double sum = x[i];
+  if (p.rows() == 0) { return sum; }
+  for (Index k = p.begin[i]; k < p.begin[i + 1]; ++k) { sum += p.value[k] * level.solution[p.column[k]]; }
+  return sum;
+}
+
+// Adds what the next level says, and iterates once backwards in each half, with what the other half has by then.
+void Multilevel::correct_and_smooth(std::size_t level, const std::vector<double>& b, std::vector<double>& x)
+{
+  const Unit_matrix& a = matrix(level);
+  Level& l = m_levels[level];
+  std::vector<double> across(l.bridges.size());
+  for (std::size_t i = 0; i < across.size(); ++i)
+  {
+    across[i] = l.bridges[i].value * corrected(l, l.bridges[i].column, x);
+  }
+  for_both_halves(a.rows(), [&](Index first, Index last) {
+    for (Index i = first; i < last; ++i) { x[i] = corrected(l, i, x); }
+    std::size_t bridge =
+      std::partition_point(l.bridges.begin(), l.bridges.end(), [&](const Bridge& other) { return other.row < last; })
+      - l.bridges.begin();
+    for (Index i = last; i-- > first;)
+    {
+      double sum = b[i];
+      for (; bridge > 0 && l.bridges[bridge - 1].row == i; --bridge) { sum -= across[bridge - 1]; }
+      for (Index k = a.begin[i]; k < a.begin[i + 1]; ++k)
+      {
+        if (a.column[k] >= first && a.column[k] < last) { sum -= a.value[k] * x[a.column[k]]; }
+      }
+      x[i] = sum;
+    }
+  });
+}
+
 void Multilevel::cycle(std::size_t level, const std::vector<double>& b, std::vector<double>& x)
 {
   const Unit_matrix& a = matrix(level);
@@ -368,23 +471,9 @@ void Multilevel::cycle(std::size_t level, const std::vector<double>& b, std::vec
       m_last.solve(Eigen::Map<const Eigen::VectorXd>(b.data(), a.rows()));
     return;
   }
-  smooth_from_zero(a, b, x);
-  if (level + 1 < m_levels.size())
-  {
-    Level& l = m_levels[level];
-    const Sparse_rows& p = l.to_next;
-    std::fill(l.right.begin(), l.right.end(), 0.);
-    for (Index i = 0; i < a.rows(); ++i)
-    {
-      double residual = 0;
-      for (Index k = a.middle[i]; k < a.begin[i + 1]; ++k) { residual -= a.value[k] * x[a.column[k]]; }
-      for (Index k = p.begin[i]; k < p.begin[i + 1]; ++k) { l.right[p.column[k]] += p.value[k] * residual; }
-    }
-    cycle(level + 1, l.right, l.solution);
-    for (Index i = 0; i < a.rows(); ++i)
-      for (Index k = p.begin[i]; k < p.begin[i + 1]; ++k) { x[i] += p.value[k] * l.solution[p.column[k]]; }
-  }
-  smooth_backwards(a, b, x);
+  smooth_and_restrict(level, b, x);
+  if (level + 1 < m_levels.size()) { cycle(level + 1, m_levels[level].right, m_levels[level].solution); }
+  correct_and_smooth(level, b, x);
 }
 
 } // namespace internal

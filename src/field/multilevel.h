@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_SRC_FIELD_MULTILEVEL_H
 #define MERIDIAN_SRC_FIELD_MULTILEVEL_H
 
+#include <meridian/base/run_both.h>
 #include <meridian/base/vectors.h>
 
 #include <Eigen/Cholesky>
@@ -25,6 +26,8 @@ struct Unit_matrix
   void reserve(Index n, std::size_t values);
   // Appends a row, of which columns are given in any order.
   void add_row(std::vector<std::pair<Index, double>>& row);
+  // The same for row `i` of those for which `begin` was set, and room was made.
+  void set_row(Index i, std::vector<std::pair<Index, double>>& row);
 };
 
 // Any matrix in compressed rows, whose columns are in no order.
@@ -36,7 +39,40 @@ struct Sparse_rows
 
   Index rows() const { return static_cast<Index>(begin.size()) - 1; }
   void reserve(Index n, std::size_t values);
+  void append(const Sparse_rows& rows);
 };
+
+// Rows from here on are the second half of a system, which is worked on beside the first: all of a small one are in the
+// first. It does not depend on how many threads there are, so that neither does what comes out.
+Index half_of(Index rows);
+
+// Calls `f(first, last)` for both halves of some rows, side by side.
+template <class Function> void for_both_halves(Index rows, const Function& f)
+{
+  const Index half = half_of(rows);
+  if (half == rows) { f(Index(0), rows); }
+  else
+  {
+    run_both([&] { f(half, rows); }, [&] { f(Index(0), half); });
+  }
+}
+
+// Makes rows half by half: `make(first, last, part)` appends those from `first` to `last` to a part. `values`: how many
+// there are likely to be.
+template <class Rows, class Make> void make_by_halves(Rows& all, Index rows, std::size_t values, const Make& make)
+{
+  all.reserve(rows, values);
+  const Index half = half_of(rows);
+  if (half == rows)
+  {
+    make(Index(0), rows, all);
+    return;
+  }
+  Rows second(all);
+  second.reserve(rows - half, values / 2);
+  run_both([&] { make(half, rows, second); }, [&] { make(Index(0), half, all); });
+  all.append(second);
+}
 
 // Systems of fewer and fewer unknowns, by smoothed aggregation. One cycle through them is close to solving, and is the
 // same as multiplying by a symmetric positive definite matrix.
@@ -51,15 +87,28 @@ public:
   void solve(const std::vector<double>& b, std::vector<double>& x) { cycle(0, b, x); }
 
 private:
+  // A place of the matrix whose row and column are in different halves.
+  struct Bridge
+  {
+    Index row, column;
+    double value;
+  };
   struct Level
   {
     Unit_matrix matrix;                  // of all but the first
+    std::vector<Bridge> bridges;         // row by row
     Sparse_rows to_next;                 // how its values are made of those of the next level
     std::vector<double> right, solution; // of the next level
+    std::vector<double> right_of_second; // what the second half adds
   };
 
   const Unit_matrix& matrix(std::size_t level) const { return level == 0 ? m_finest : m_levels[level].matrix; }
   void factor_last();
+  void find_bridges(std::size_t level);
+  // A value of the solution with what the next level adds to it.
+  double corrected(const Level& level, Index i, const std::vector<double>& x) const;
+  void smooth_and_restrict(std::size_t level, const std::vector<double>& b, std::vector<double>& x);
+  void correct_and_smooth(std::size_t level, const std::vector<double>& b, std::vector<double>& x);
   void cycle(std::size_t level, const std::vector<double>& b, std::vector<double>& x);
 
   const Unit_matrix& m_finest;

@@ -2,6 +2,7 @@
 #include <meridian/field/order_surface.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/base/run_both.h>
 #include <meridian/field/Node_order.h>
 #include <meridian/field/critical_points.h>
 #include <meridian/field/curved_vertices.h>
@@ -107,8 +108,50 @@ public:
   // Makes the model, and takes or finds the extrema.
   void prepare()
   {
-    m_result.surface = divide_chords(m_root);
-    m_result.graph = make_closed_model(m_result.surface);
+    m_result.graph = make_closed_model(m_root);
+    if (!chords_of_loops(m_root, m_result.graph).empty())
+    {
+      m_result.surface = divide_chords(m_root);
+      m_result.graph = make_closed_model(m_result.surface);
+    }
+    internal::run_both([&] { weigh_edges(); }, [&] { choose_extrema(); });
+  }
+
+  void make_field()
+  {
+    Given_field given = solve_field(m_root, m_options.field, m_options.solvers);
+    m_result.field_name = std::move(given.name);
+    if (m_harmonic) { m_result.field = solve_harmonic(*m_harmonic); }
+    m_weights = std::vector<double>();
+    if (m_result.surface.triangles.empty()) { m_result.surface = Refined_surface(m_root); }
+    if (!m_harmonic)
+    {
+      m_result.field = internal::field_of_values(m_root, m_result.surface, m_result.graph, given.values);
+    }
+  }
+
+  void order()
+  {
+    if (m_options.one_maximum && m_maxima.size() != 1) { keep_one_maximum(m_result, m_minima, m_maxima); }
+    order_by_field(m_root, m_result, m_minima, m_maxima);
+  }
+
+  Ordered_surface take_result() { return std::move(m_result); }
+
+private:
+  // The surface of the model. Where no edge is divided that is the root, of which a copy is made after the field,
+  // because that is what needs the most memory.
+  const Triangle_surface& surface() const { return m_result.surface.triangles.empty() ? m_root : m_result.surface; }
+
+  // Those of the surface as it is, which are needed for the field.
+  void weigh_edges()
+  {
+    if (!m_harmonic || m_harmonic->weights == Weights::INTRINSIC_DELAUNAY) { return; }
+    m_weights = edge_weights(surface(), m_harmonic->weights);
+  }
+
+  void choose_extrema()
+  {
     if (m_harmonic && m_options.minima.empty()) { find_extrema(*m_harmonic); }
     else
     {
@@ -129,23 +172,6 @@ public:
           + " (vertex " + std::to_string(m_result.graph.representative[a]) + "); choose them apart");
   }
 
-  void make_field()
-  {
-    Given_field given = solve_field(m_root, m_options.field, m_options.solvers);
-    m_result.field_name = std::move(given.name);
-    m_result.field = m_harmonic ? solve_harmonic(*m_harmonic)
-                                : internal::field_of_values(m_root, m_result.surface, m_result.graph, given.values);
-  }
-
-  void order()
-  {
-    if (m_options.one_maximum && m_maxima.size() != 1) { keep_one_maximum(m_result, m_minima, m_maxima); }
-    order_by_field(m_root, m_result, m_minima, m_maxima);
-  }
-
-  Ordered_surface take_result() { return std::move(m_result); }
-
-private:
   void find_extrema(const Harmonic_field& field)
   {
     const Closed_model& g = m_result.graph;
@@ -155,14 +181,14 @@ private:
       const auto [low, high] = find_curved_vertices(m_root, 4, field.weights, m_options.solvers.symmetric);
       ends = {g.node[low], g.node[high]};
     }
-    else { ends = sorted(find_distant_nodes(m_result.surface, g)); }
+    else { ends = sorted(find_distant_nodes(surface(), g)); }
     m_minima = {ends.first};
     m_maxima = {ends.second};
   }
 
   Scalar_field solve_harmonic(const Harmonic_field& field) const
   {
-    const Refined_surface& s = m_result.surface;
+    const Triangle_surface& s = surface();
     const Closed_model& g = m_result.graph;
     std::vector<Dirichlet_value> prescribed;
     for (Index a : m_minima) { prescribed.push_back({a, 0}); }
@@ -174,8 +200,8 @@ private:
       return solve_harmonic_field(s, g, joined.graph, joined.weights, prescribed, solvers.laplace);
     }
     const bool is_symmetric = field.weights != Weights::MEAN_VALUE;
-    Scalar_field solved = solve_harmonic_field(s, g, edge_weights(s, field.weights), prescribed,
-                                               is_symmetric ? solvers.laplace : solvers.general);
+    Scalar_field solved =
+      solve_harmonic_field(s, g, m_weights, prescribed, is_symmetric ? solvers.laplace : solvers.general);
     for (Index a = 0; a < g.number_of_nodes && !is_symmetric; ++a)
     {
       if (!(solved(a) > -1e-3 && solved(a) < 1 + 1e-3))
@@ -192,6 +218,7 @@ private:
   const Order_options& m_options;
   const Harmonic_field* m_harmonic;      // or null
   std::vector<Index> m_minima, m_maxima; // nodes
+  std::vector<double> m_weights;         // of halfedges
   Ordered_surface m_result;
 };
 

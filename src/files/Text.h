@@ -3,6 +3,7 @@
 #define MERIDIAN_FILES_TEXT_H
 
 #include <charconv>
+#include <cstddef>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -14,6 +15,8 @@ namespace files {
 class Text
 {
 public:
+  // Makes room, so that long texts are not moved while they grow.
+  void reserve(std::size_t characters) { m_text.reserve(characters); }
   Text& operator<<(const char* s)
   {
     m_text += s;
@@ -35,19 +38,6 @@ public:
     const auto [end, error] = std::to_chars(digits, digits + sizeof digits, x);
     static_cast<void>(error); // 40 characters hold every number
     m_text.append(digits, end);
-    return *this;
-  }
-  template <class Range, class Write> Text& list(const Range& range, const Write& write)
-  {
-    m_text += '[';
-    bool first = true;
-    for (const auto& x : range)
-    {
-      if (!first) { m_text += ','; }
-      first = false;
-      write(x);
-    }
-    m_text += ']';
     return *this;
   }
   std::string take() { return std::move(m_text); }

@@ -2,6 +2,7 @@
 #include "read_result.h"
 
 #include "read_mesh.h"
+#include "write_mesh.h"
 #include "write_texture.h"
 
 #include <meridian/base/Polygon_soup.h>
@@ -14,7 +15,7 @@ Result_files read_result(const std::string& path)
 {
   Result_files result;
   std::vector<Result_curve> fields;
-  result.kind = read_map(map_path(path), result.mesh, fields);
+  result.kind = read_map(find_map(path), result.mesh, fields);
   if (result.kind == Result_kind::UNWRAPPING)
   {
     read_unwrapped(path, result.mesh, result.texture, result.vertex_of, result.vertices);

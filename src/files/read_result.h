@@ -2,7 +2,7 @@
 #ifndef MERIDIAN_FILES_READ_RESULT_H
 #define MERIDIAN_FILES_READ_RESULT_H
 
-#include "write_mesh.h"
+#include "map_file.h"
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/vectors.h>

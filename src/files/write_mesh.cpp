@@ -21,9 +21,13 @@ namespace files {
 
 namespace {
 
+// Of a text: most numbers have no more digits than this allows for.
+std::size_t likely_size(const Result_mesh& m) { return 64 * m.points.size() + 28 * m.faces.size(); }
+
 std::string format_off(const Result_mesh& m, const std::vector<Face_values>&)
 {
   Text out;
+  out.reserve(likely_size(m));
   out << "OFF\n" << m.points.size() << ' ' << m.faces.size() << " 0\n";
   for (const auto& p : m.points) { out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
   for (const auto& f : m.faces) { out << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n'; }
@@ -33,6 +37,7 @@ std::string format_off(const Result_mesh& m, const std::vector<Face_values>&)
 std::string format_obj(const Result_mesh& m, const std::vector<Face_values>&)
 {
   Text out;
+  out.reserve(likely_size(m));
   for (const auto& p : m.points) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
   for (const auto& f : m.faces) { out << "f " << f[0] + 1 << ' ' << f[1] + 1 << ' ' << f[2] + 1 << '\n'; }
   return out.take();
@@ -184,154 +189,6 @@ std::vector<Result_curve> read_curves(const std::string& path)
     if (!in.at_line_end()) { in.skip_line(); }
   }
   return curves;
-}
-
-std::string map_path(const std::string& path)
-{
-  std::string stem = path;
-  if (is_packed(stem)) { stem.resize(stem.size() - 3); }
-  const std::size_t dot = stem.find_last_of('.'), slash = stem.find_last_of('/');
-  if (dot != std::string::npos && (slash == std::string::npos || dot > slash)) { stem.resize(dot); }
-  return stem + ".map.json";
-}
-
-std::string format_map(const Result_mesh& m, Result_kind kind, const std::vector<Result_curve>& curves)
-{
-  Text out;
-  const auto number = [&](auto x) { out << x; };
-  out << "{\n";
-  if (kind != Result_kind::CUT)
-  {
-    out << "\"result\": \"" << (kind == Result_kind::GENERATORS ? "generators" : "unwrapping") << "\",\n";
-  }
-  out << "\"copy_of\": ";
-  out.list(m.copy_of, number) << ",\n\"origin\": ";
-  out.list(m.origin, [&](const Result_origin& o) {
-    out << '[' << o.index[0];
-    if (o.kind == Result_origin::EDGE) { out << ',' << o.index[1] << ',' << o.weight[0]; }
-    if (o.kind == Result_origin::FACE) { out << ',' << o.weight[0] << ',' << o.weight[1] << ',' << o.weight[2]; }
-    out << ']';
-  }) << ",\n\"face_of\": ";
-  out.list(m.face_of, number) << ",\n\"component_of\": ";
-  out.list(m.component_of, number) << ",\n\"seams\": ";
-  out.list(m.seams, [&](const std::array<std::int32_t, 2>& s) { out << '[' << s[0] << ',' << s[1] << ']'; });
-  if (kind == Result_kind::GENERATORS)
-  {
-    std::vector<Result_curve> flow;
-    std::copy_if(curves.begin(), curves.end(), std::back_inserter(flow),
-                 [](const Result_curve& c) { return !c.field.empty(); });
-    out << ",\n\"fields\": ";
-    out.list(flow, [&](const Result_curve& c) {
-      out << "{\"curve\": \"" << c.name << "\", \"values\": ";
-      out.list(c.field, [&](const auto& entry) { out << '[' << entry.first << ',' << entry.second << ']'; }) << '}';
-    });
-  }
-  out << "\n}\n";
-  return out.take();
-}
-
-namespace {
-
-// Takes a map file apart. Throws nlohmann's exceptions where something is missing or of another type.
-class Map_reader
-{
-public:
-  Map_reader(const std::string& path, const nlohmann::json& json) : m_path(path), m_json(json) {}
-
-  void read_indices(const char* key, std::vector<std::int32_t>& list) const
-  {
-    for (const auto& entry : m_json.at(key)) { list.push_back(index(entry)); }
-  }
-
-  void read_seams(Result_mesh& mesh) const
-  {
-    for (const auto& entry : m_json.at("seams")) { mesh.seams.push_back({index(entry.at(0)), index(entry.at(1))}); }
-  }
-
-  void read_origins(Result_mesh& mesh) const
-  {
-    for (const auto& entry : m_json.at("origin")) { mesh.origin.push_back(origin(entry)); }
-  }
-
-  void read_fields(std::vector<Result_curve>& fields) const
-  {
-    for (const auto& entry : m_json.value("fields", nlohmann::json::array()))
-    {
-      fields.push_back({entry.at("curve").get<std::string>(), {}, {}});
-      for (const auto& value : entry.at("values"))
-      {
-        fields.back().field.emplace(index(value.at(0)), value.at(1).get<double>());
-      }
-    }
-  }
-
-  Result_kind kind() const
-  {
-    const std::string kind = m_json.value("result", "cut");
-    if (kind != "cut" && kind != "generators" && kind != "unwrapping")
-    {
-      throw File_error(m_path + ": a map of an unknown result '" + kind + "'");
-    }
-    return kind == "generators"   ? Result_kind::GENERATORS
-           : kind == "unwrapping" ? Result_kind::UNWRAPPING
-                                  : Result_kind::CUT;
-  }
-
-private:
-  std::int32_t index(const nlohmann::json& entry) const
-  {
-    if (!entry.is_number_integer() || entry > 2147483647 || entry < -2147483647)
-    {
-      throw File_error(m_path + ": an index is not a whole number in range");
-    }
-    return entry.get<std::int32_t>();
-  }
-
-  Result_origin origin(const nlohmann::json& entry) const
-  {
-    Result_origin o;
-    o.index[0] = index(entry.at(0));
-    switch (entry.size())
-    {
-    case 1: break;
-    case 3:
-      o.kind = Result_origin::EDGE;
-      o.index[1] = index(entry.at(1));
-      o.weight[0] = entry.at(2).get<double>();
-      break;
-    case 4:
-      o.kind = Result_origin::FACE;
-      for (std::size_t i = 0; i < 3; ++i) { o.weight[i] = entry.at(i + 1).get<double>(); }
-      break;
-    default: throw File_error(m_path + ": an origin has " + std::to_string(entry.size()) + " entries");
-    }
-    return o;
-  }
-
-  const std::string& m_path;
-  const nlohmann::json& m_json;
-};
-
-} // namespace
-
-Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Result_curve>& fields)
-{
-  try
-  {
-    const auto json = nlohmann::json::parse(read_bytes(path));
-    const Map_reader reader(path, json);
-    reader.read_indices("copy_of", mesh.copy_of);
-    reader.read_indices("face_of", mesh.face_of);
-    reader.read_indices("component_of", mesh.component_of);
-    reader.read_seams(mesh);
-    reader.read_origins(mesh);
-    reader.read_fields(fields);
-    return reader.kind();
-  }
-  catch (const nlohmann::json::exception& e)
-  {
-    throw File_error(path + ": not a map file: " + e.what());
-  }
 }
 
 } // namespace files

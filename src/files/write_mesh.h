@@ -34,21 +34,6 @@ std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<R
 // The line elements of an OBJ file, named by their groups. Throws File_error.
 std::vector<Result_curve> read_curves(const std::string& path);
 
-enum class Result_kind
-{
-  CUT,
-  GENERATORS,
-  UNWRAPPING
-};
-
-// The map of a result, as JSON, with the fields that curves name; only generators have some.
-std::string format_map(const Result_mesh& mesh, Result_kind kind, const std::vector<Result_curve>& curves = {});
-// The other way: the map, and fields for the curves of the same names. Throws File_error.
-Result_kind read_map(const std::string& path, Result_mesh& mesh, std::vector<Result_curve>& fields);
-
-// Where the map of a result stands: the path without its ending, and ".map.json".
-std::string map_path(const std::string& path);
-
 } // namespace files
 } // namespace meridian
 

@@ -5,6 +5,7 @@
 
 #include "choices.h"
 #include "commands.h"
+#include "files/map_file.h"
 
 #include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
@@ -25,6 +26,7 @@ namespace program {
 struct Field_arguments : Common_arguments
 {
   std::string mesh, out, view, curves;
+  files::Map_format map = files::Map_format::JSON;
   std::vector<Index> minima, maxima; // vertices of the file
   bool has_direction = false, has_from = false, has_extrema = false;
   Weights weights = Weights::POSITIVE;

@@ -2,7 +2,9 @@
 #include "cut.h"
 
 #include "end_run.h"
+#include "files/map_file.h"
 #include "files/write_mesh.h"
+#include "memory.h"
 #include "options.h"
 #include "page/format_page.h"
 
@@ -11,6 +13,7 @@
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/names.h>
+#include <meridian/base/run_both.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
@@ -122,6 +125,17 @@ std::string format_view(const std::string& title, const Examination& examination
   return page::format_page(title, caption.str(), has_paths ? "paths" : "links", parts, curves, assembled);
 }
 
+// Gives back the memory of what is in the result that was put together. The recount needs it.
+void release_surfaces(std::vector<Cut>& cuts)
+{
+  for (Cut& cut : cuts)
+  {
+    cut.surface = Refined_surface();
+    cut.opened = Opened_surface();
+    cut.field = std::vector<double>();
+  }
+}
+
 } // namespace
 
 std::vector<Result_curve> name_curves(const std::vector<Cut>& cuts, const Assembled_result& assembled)
@@ -216,24 +230,36 @@ Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const 
 Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,
                         Terminal& terminal, const Recount& recount)
 {
+  Cut_result r = assemble_cut(loaded, std::move(cuts), options);
+  verify(r, terminal, recount);
+  return r;
+}
+
+Cut_result assemble_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options)
+{
   Cut_result r;
   r.cuts = std::move(cuts);
-  auto begin = std::chrono::steady_clock::now();
+  const auto begin = std::chrono::steady_clock::now();
   r.assembled = assemble_result(loaded.soup, loaded.examination, r.cuts);
   r.seconds_assembling = since(begin);
-  terminal.stage_started(Stage::VERIFY);
-  begin = std::chrono::steady_clock::now();
-  r.verification = recount(r.assembled);
-  r.seconds_verifying = since(begin);
   for (std::size_t i = 0; i < r.cuts.size(); ++i)
   {
     const Surface_component& c = loaded.examination.components[i];
-    r.components.push_back(report_cut(r.cuts[i], c, r.verification.components[i], options[i]));
+    r.components.push_back(report_cut(r.cuts[i], c, options[i]));
     r.length += c.unit * r.cuts[i].length;
     r.genus += r.cuts[i].genus;
     r.loops += r.cuts[i].boundary_loops;
   }
   return r;
+}
+
+void verify(Cut_result& r, Terminal& terminal, const Recount& recount)
+{
+  terminal.stage_started(Stage::VERIFY);
+  const auto begin = std::chrono::steady_clock::now();
+  r.verification = recount(r.assembled);
+  r.seconds_verifying = since(begin);
+  for (std::size_t i = 0; i < r.cuts.size(); ++i) { add_counts(r.components[i], r.verification.components[i]); }
 }
 
 Json report_seconds(const Loaded_mesh& loaded, const Cut_result& result)
@@ -248,8 +274,12 @@ void add_cut(files::Output_files& out, const Cut_arguments& arguments, const Loa
              const Cut_result& result)
 {
   const Result_mesh& mesh = result.assembled.mesh;
-  out.add(arguments.out, files::format_mesh(arguments.out, mesh));
-  out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::CUT));
+  give_back_memory(); // before texts as long as this
+  std::string opened, map;
+  internal::run_both([&] { map = files::format_map(mesh, files::Result_kind::CUT, arguments.map); },
+                     [&] { opened = files::format_mesh(arguments.out, mesh); });
+  out.add(arguments.out, opened);
+  out.add(files::map_path(arguments.out, arguments.map), map);
   if (!arguments.curves.empty())
   {
     out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled)));
@@ -274,7 +304,9 @@ int run_cut(const Cut_arguments& arguments)
     terminal.begin_component(i, examination.components.size());
     found.push_back(cut_to_disc(examination.components[i].surface, options[i]));
   }
-  const Cut_result result = conclude_cut(loaded, std::move(found), options, terminal);
+  Cut_result result = assemble_cut(loaded, std::move(found), options);
+  if (arguments.curves.empty() && arguments.view.empty()) { release_surfaces(result.cuts); }
+  verify(result, terminal, [&](const Assembled_result& assembled) { return verify_cut(loaded.soup, assembled.mesh); });
   const Verification& verification = result.verification;
   const Json report{
     {"meridian", MERIDIAN_VERSION},      {"input", report_input(arguments.mesh, loaded.soup, examination)},

@@ -37,8 +37,10 @@ struct Cut_result
   int genus = 0, loops = 0;
   double seconds_assembling = 0, seconds_verifying = 0;
 };
-// `recount` verifies what was put together.
+// `recount` verifies what was put together. With `conclude_cut()` both steps are one.
 using Recount = std::function<Verification(const Assembled_result&)>;
+Cut_result assemble_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options);
+void verify(Cut_result& result, Terminal& terminal, const Recount& recount);
 Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,
                         Terminal& terminal, const Recount& recount);
 Cut_result conclude_cut(const Loaded_mesh& loaded, std::vector<Cut> cuts, const std::vector<Cut_options>& options,

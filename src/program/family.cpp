@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cut.h"
+#include "files/map_file.h"
 #include "files/write_mesh.h"
 
 #include <meridian/base/exceptions.h>
@@ -43,7 +44,7 @@ void check_family_paths(const Cut_arguments& arguments)
     for (const std::string& path : {arguments.out, arguments.curves, arguments.view})
     {
       written.push_back(numbered(path, i));
-      if (path == arguments.out) { written.push_back(files::map_path(written.back())); }
+      if (path == arguments.out) { written.push_back(files::map_path(written.back(), arguments.map)); }
     }
   check_paths(arguments, written);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field_arguments.h"
+#include "files/map_file.h"
 #include "files/read_mesh.h"
 #include "files/read_values.h"
-#include "files/write_mesh.h"
 
 #include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
@@ -41,7 +41,7 @@ void check_paths(const Field_arguments& a, const std::vector<std::string>& writt
 
 void check_arguments(const Field_arguments& a)
 {
-  check_paths(a, {a.out, files::map_path(a.out), a.report, a.view, a.curves});
+  check_paths(a, {a.out, files::map_path(a.out, a.map), a.report, a.view, a.curves});
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Usage_error(message); }
   };

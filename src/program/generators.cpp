@@ -5,6 +5,7 @@
 #include "field_arguments.h"
 #include "files/Mesh_format.h"
 #include "files/Output_files.h"
+#include "files/map_file.h"
 #include "files/write_mesh.h"
 #include "options.h"
 #include "page/format_page.h"
@@ -244,8 +245,8 @@ int run_generators(const Generator_arguments& arguments)
   if (verification)
   {
     out.add(arguments.out, files::format_mesh_with_curves(outcome.assembled.mesh, outcome.curves));
-    out.add(files::map_path(arguments.out),
-            files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, outcome.curves));
+    out.add(files::map_path(arguments.out, arguments.map),
+            files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, arguments.map, outcome.curves));
     if (!arguments.curves.empty()) { out.add(arguments.curves, format_curves(outcome)); }
     if (!arguments.view.empty()) { out.add(arguments.view, outcome.view); }
   }
@@ -269,6 +270,7 @@ Command add_generators(CLI::App& app)
     ->type_name("OUT.obj");
   command->add_option("--view", a->view, "write a page that shows the curves in a browser")->type_name("FILE");
   command->add_option("--curves", a->curves, "write the curves alone as OBJ lines")->type_name("FILE");
+  add_choice(*command, "--map", a->map, "how the map back to MESH is written");
   add_common_options(*command, *a);
   command->add_flag("--repair", a->repair, repair_help);
   add_field_options(*command, *a);

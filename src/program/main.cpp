@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
 #include "files/read_mesh.h"
+#include "memory.h"
 
 #include <meridian/base/exceptions.h>
 
@@ -10,10 +11,6 @@
 #include <iostream>
 #include <new>
 #include <vector>
-
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
 
 // OpenBLAS, where it is the BLAS of this system, must not split sums between threads: equal bytes out for equal bytes
 // in. CHOLMOD's own threads only wait for each other on the small blocks of a surface mesh.
@@ -99,11 +96,7 @@ int main(int argc, char** argv)
   // CHOLMOD asks for four threads, whatever their number is set to
   if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
 
-#ifdef M_MMAP_MAX
-  // arrays are taken again and again: memory that is given back to the system each time costs up to half of a run
-  mallopt(M_MMAP_MAX, 0);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
-#endif
+  keep_memory();
 
   CLI::App app{"Cuts any triangle mesh into a disc along smooth curves, and proves with integers that it did.\n"
                "Meshes are OFF, OBJ, STL, PLY or VTP files, or gzip of these."};

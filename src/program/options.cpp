@@ -72,6 +72,7 @@ void add_cut_options(CLI::App& command, Cut_arguments& a)
 {
   command.add_option("--view", a.view, "write a page that shows the result in a browser")->type_name("FILE");
   command.add_option("--curves", a.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
+  add_choice(command, "--map", a.map, "how the map back to MESH is written");
   add_common_options(command, a);
   command.add_flag("--repair", a.repair, repair_help);
   add_field_options(command, a);

@@ -80,8 +80,7 @@ Json report_seconds(const Stage_times& times)
 
 } // namespace
 
-Json report_cut(const Cut& cut, const Surface_component& component, const Component_count& count,
-                const Cut_options& options)
+Json report_cut(const Cut& cut, const Surface_component& component, const Cut_options& options)
 {
   Json r = report_counts(component);
   r["field"] = report_field(cut, weights_of(options.method));
@@ -103,9 +102,9 @@ Json report_cut(const Cut& cut, const Surface_component& component, const Compon
   r["cut"] = {{"method", name_of(options.method)},
               {"edges", cut.opened.seams.size()},
               {"length", component.unit * cut.length},
-              {"connected", count.discs == 1},
-              {"euler_characteristic", count.disc_euler_characteristic},
-              {"boundary_loops", count.disc_boundary_loops},
+              {"connected", false}, // these three as they are recounted
+              {"euler_characteristic", 0},
+              {"boundary_loops", 0},
               {"meridians", of_kind(Curve_kind::MERIDIAN)},
               {"longitudes", of_kind(Curve_kind::LONGITUDE).size()},
               {"flow_lines", of_kind(Curve_kind::FLOW_LINE).size()},
@@ -121,6 +120,13 @@ Json report_cut(const Cut& cut, const Surface_component& component, const Compon
   if (!cut.link_note.empty()) { r["cut"]["link_note"] = cut.link_note; }
   r["seconds"] = report_seconds(cut.seconds);
   return r;
+}
+
+void add_counts(Json& of_cut, const Component_count& count)
+{
+  of_cut["cut"]["connected"] = count.discs == 1;
+  of_cut["cut"]["euler_characteristic"] = count.disc_euler_characteristic;
+  of_cut["cut"]["boundary_loops"] = count.disc_boundary_loops;
 }
 
 namespace {

@@ -18,8 +18,8 @@ namespace program {
 // The parts of a report; the keys are those of the manual.
 Json report_input(const std::string& file, const Polygon_soup& soup, const Examination& examination);
 Json report_counts(const Surface_component& component);
-Json report_cut(const Cut& cut, const Surface_component& component, const Component_count& count,
-                const Cut_options& options);
+Json report_cut(const Cut& cut, const Surface_component& component, const Cut_options& options);
+void add_counts(Json& of_cut, const Component_count& count); // what was recounted
 // `first_handle`: the number of its first pair.
 Json report_generators(const Generators& generators, const Surface_component& component, const Curve_count& count,
                        const Generator_options& options, int first_handle);

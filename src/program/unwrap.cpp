@@ -3,6 +3,7 @@
 #include "cut.h"
 #include "end_run.h"
 #include "files/Mesh_format.h"
+#include "files/map_file.h"
 #include "files/png.h"
 #include "files/write_layout.h"
 #include "files/write_mesh.h"
@@ -42,11 +43,7 @@ namespace program {
 namespace {
 
 // The paths that go with OUT.
-std::string beside(const Unwrap_arguments& a, const char* ending)
-{
-  const std::string map = files::map_path(a.out);
-  return map.substr(0, map.size() - std::string(".map.json").size()) + ending;
-}
+std::string beside(const Unwrap_arguments& a, const char* ending) { return files::stem_of(a.out) + ending; }
 
 void check_unwrap_arguments(const Unwrap_arguments& a)
 {
@@ -67,8 +64,8 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const auto format = files::format_of(a.distortion);
   forbid(!a.distortion.empty() && !(format && files::holds_face_values(*format)),
          "--distortion writes PLY or VTP, which can hold values of faces");
-  std::vector<std::string> written{a.out,       files::map_path(a.out), a.report, a.view, a.curves, a.layout, a.texture,
-                                   a.distortion};
+  std::vector<std::string> written{
+    a.out, files::map_path(a.out, a.map), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
   if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
   if (a.geometry_image > 0)
   {
@@ -299,7 +296,8 @@ void add_unwrapping(files::Output_files& out, const Unwrap_arguments& arguments,
   const Result_mesh& mesh = result.assembled.mesh;
   const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
   out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, fs::path(material).filename().string()));
-  out.add(files::map_path(arguments.out), files::format_map(mesh, files::Result_kind::UNWRAPPING));
+  out.add(files::map_path(arguments.out, arguments.map),
+          files::format_map(mesh, files::Result_kind::UNWRAPPING, arguments.map));
   const auto faces = distortion_of_faces(result.assembled, texture, unwrapped);
   std::vector<double> stretch;
   for (const Face_distortion& f : faces) { stretch.push_back(std::min(f.stretch_l2, 1e30)); }

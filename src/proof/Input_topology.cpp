@@ -37,6 +37,8 @@ void Input_topology::take_triangles(const Polygon_soup& input)
     }
   }
   first_triangle.assign(input.number_of_polygons() + 1, 0);
+  triangles.reserve(input.number_of_polygons());
+  is_used.reserve(input.number_of_polygons());
   for_each_triangle(input, [&](Id, Id polygon, Id a, Id b, Id c) {
     triangles.push_back({a, b, c});
     is_used.push_back(!is_dropped[polygon]);

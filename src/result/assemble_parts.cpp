@@ -88,6 +88,7 @@ private:
     auto& place = m_result.place[i];
     const Index n = input_vertices();
     const Surface_component& c = m_examination.components[i];
+    place.reserve(m_parts[i].surface.points.size() + m_parts[i].opened.copy_of.size());
     for (Index v : c.vertex_of) { place.push_back(v < n ? v : v + m_new_vertices); }
     for (const Origin& o : m_parts[i].surface.origins)
     {
@@ -107,6 +108,8 @@ private:
   Index place_points()
   {
     std::vector<std::array<Index, 3>> corners;
+    corners.reserve(m_soup.number_of_polygons());
+    m_result.mesh.points.reserve(m_result.mesh.origin.size());
     for_each_triangle(m_soup, [&](Index, Index, Index a, Index b, Index c) { corners.push_back({a, b, c}); });
     for (const Result_origin& o : m_result.mesh.origin)
       m_result.mesh.points.push_back(
@@ -138,6 +141,7 @@ private:
     const auto& place = m_result.place[i];
     const Surface_component& c = m_examination.components[i];
     std::vector<Index> face_place;
+    face_place.reserve(m_parts[i].opened.triangles.size());
     for (std::size_t f = 0; f < m_parts[i].opened.triangles.size(); ++f)
     {
       const Index root = m_parts[i].surface.face_of[f], to = next[c.triangle_of[root]]++;

@@ -44,13 +44,24 @@ Index number_components(const Soup_topology& t, std::vector<Index>& component)
   return components;
 }
 
+void reserve(Surface_component& c, Index faces)
+{
+  c.surface.triangles.reserve(faces);
+  c.surface.opposite.reserve(3 * static_cast<std::size_t>(faces));
+  c.triangle_of.reserve(faces);
+  c.polygon_of.reserve(faces);
+  c.is_flipped.reserve(faces);
+}
+
 // Gives each component its triangles, with the vertices of the soup, and their twins.
 void distribute_triangles(const Soup_topology& t, std::vector<Surface_component>& components)
 {
   std::vector<Index> component;
   components.resize(number_components(t, component));
   const Index n = static_cast<Index>(t.triangles.size());
-  std::vector<Index> local_face(n);
+  std::vector<Index> local_face(n), size(components.size(), 0);
+  for (Index f = 0; f < n; ++f) { ++size[component[f]]; }
+  for (std::size_t i = 0; i < components.size(); ++i) { reserve(components[i], size[i]); }
   for (Index f = 0; f < n; ++f)
   {
     Surface_component& c = components[component[f]];
@@ -110,6 +121,7 @@ Examination examine_surface(const Polygon_soup& soup, bool split)
   for (Surface_component& c : result.components)
   {
     internal::number_vertices(c, local);
+    c.surface.points.reserve(c.vertex_of.size());
     for (Index v : c.vertex_of)
     {
       c.surface.points.push_back(soup.points[v < points ? v : result.added_vertex_of[v - points]]);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace meridian {
 
@@ -75,7 +76,8 @@ std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& 
 
 std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source)
 {
-  return internal::find_shortest_ways(g.number_of_nodes, {{0., source}}, [&](Index a, const auto& reach) {
+  const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.) / static_cast<double>(lengths.size());
+  return internal::find_distances(g.number_of_nodes, source, mean, [&](Index a, const auto& reach) {
     for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i) { reach(g.neighbor[i], lengths[i]); }
   });
 }

@@ -80,6 +80,9 @@ Soup_topology gather_triangles(const Polygon_soup& soup, std::vector<std::string
     }
     else if (sorted.size() > 3) { divided.push_back(static_cast<Index>(i)); }
   }
+  t.triangles.reserve(soup.number_of_polygons());
+  t.index.reserve(soup.number_of_polygons());
+  t.polygon.reserve(soup.number_of_polygons());
   for_each_triangle(soup, [&](Index triangle, Index polygon, Index a, Index b, Index c) {
     if (is_dropped[polygon]) { return; }
     t.triangles.push_back({a, b, c});

@@ -3,6 +3,7 @@
 
 #include "files/Mesh_format.h"
 #include "files/Output_files.h"
+#include "files/map_file.h"
 #include "files/read_mesh.h"
 #include "files/write_mesh.h"
 
@@ -11,6 +12,7 @@
 #include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 
+#include <nlohmann/json.hpp>
 #include <zlib.h>
 
 #include <cctype>
@@ -287,22 +289,103 @@ BOOST_FIXTURE_TEST_CASE(every_writable_format_reads_back_bit_for_bit, Folder)
     const std::string to = (path / name).string();
     files::Output_files out;
     out.add(to, files::format_mesh(to, mesh));
-    out.add(files::map_path(to), files::format_map(mesh, files::Result_kind::CUT));
+    for (const auto format : all<files::Map_format>())
+    {
+      out.add(files::map_path(to, format), files::format_map(mesh, files::Result_kind::CUT, format));
+    }
     BOOST_TEST(!fs::exists(to)); // nothing before the end
     out.commit();
     const auto s = files::read_mesh(to);
     BOOST_TEST((s.points == mesh.points));
     BOOST_TEST(s.number_of_polygons() == mesh.faces.size());
     BOOST_TEST(std::memcmp(s.corners.data(), mesh.faces.data(), s.corners.size() * sizeof(Index)) == 0);
-    Result_mesh map;
-    std::vector<Result_curve> fields;
-    files::read_map((path / "a.map.json").string(), map, fields);
-    BOOST_TEST((map.origin == mesh.origin));
-    BOOST_TEST((map.copy_of == mesh.copy_of && map.face_of == mesh.face_of && map.component_of == mesh.component_of
-                && map.seams == mesh.seams));
+    for (const char* of : {"a.map.json", "a.map.cbor"})
+    {
+      Result_mesh map;
+      std::vector<Result_curve> fields;
+      BOOST_TEST((files::read_map((path / of).string(), map, fields) == files::Result_kind::CUT));
+      BOOST_TEST((map.origin == mesh.origin));
+      BOOST_TEST((map.copy_of == mesh.copy_of && map.face_of == mesh.face_of && map.component_of == mesh.component_of
+                  && map.seams == mesh.seams));
+      BOOST_TEST(fields.empty());
+    }
+    BOOST_CHECK_EXCEPTION(files::find_map(to), files::File_error,
+                          [](const auto& e) { return contains(e.what(), "both the map of one result"); });
+    fs::remove(path / "a.map.json");
+    BOOST_TEST(files::find_map(to) == (path / "a.map.cbor").string());
+    fs::remove(path / "a.map.cbor");
+    BOOST_TEST(files::find_map(to) == (path / "a.map.json").string()); // whose absence is what is then told
   }
   BOOST_CHECK_EXCEPTION(files::check_writable_format("x.stl"), files::File_error,
                         [](const auto& e) { return contains(e.what(), "STL cannot hold a cut"); });
+}
+
+// Definition (RFC 8949): CBOR holds what JSON holds, and nlohmann's reader, which is not ours, takes both for the same.
+BOOST_AUTO_TEST_CASE(maps_hold_the_same_in_text_and_in_binary)
+{
+  Result_mesh mesh;
+  mesh.copy_of = {-1, 0, 23, 24, 255, 256, 65535, 65536, 2147483647, -24, -25, -2147483647};
+  mesh.origin.push_back({Result_origin::VERTEX, {300, -1}, {0, 0, 0}});
+  mesh.origin.push_back({Result_origin::EDGE, {1, 70000}, {0.1, 0, 0}});
+  mesh.origin.push_back({Result_origin::FACE, {5, -1}, {1e-300, 1. / 3, 2. / 3}});
+  mesh.face_of = {0, 1};
+  mesh.seams = {{0, 5}};
+  std::vector<Result_curve> curves{{"longitude_0", {}, {{3, 0.5}, {4, -1e9}}}, {"meridian_0", {}, {}}};
+  for (const auto kind : {files::Result_kind::CUT, files::Result_kind::GENERATORS, files::Result_kind::UNWRAPPING})
+  {
+    const std::string text = files::format_map(mesh, kind, files::Map_format::JSON, curves),
+                      binary = files::format_map(mesh, kind, files::Map_format::CBOR, curves);
+    BOOST_TEST((nlohmann::json::parse(text) == nlohmann::json::from_cbor(binary)));
+    BOOST_TEST(binary.size() < text.size());
+  }
+}
+
+// Refusal: what is no map, of either form, is told from one, however deep its lists are.
+BOOST_FIXTURE_TEST_CASE(files_that_are_no_maps_are_refused, Folder)
+{
+  const auto message = [&](const std::string& name, const std::string& bytes) -> std::string {
+    Result_mesh mesh;
+    std::vector<Result_curve> fields;
+    try
+    {
+      files::read_map(write(name, bytes), mesh, fields);
+    }
+    catch (const files::File_error& e)
+    {
+      return e.what();
+    }
+    return "";
+  };
+  const std::string rest = R"(,"face_of":[0],"component_of":[0],"seams":[[0,1]]})";
+  const auto with = [&](const std::string& begin) { return message("a.map.json", "{" + begin + rest); };
+  BOOST_TEST(with(R"("copy_of":[-1],"origin":[[0]])").empty());
+  BOOST_TEST(contains(with(R"("copy_of":[18446744073709551615],"origin":[[0]])"), "not a whole number in range"));
+  BOOST_TEST(contains(with(R"("copy_of":[2147483648],"origin":[[0]])"), "not a whole number in range"));
+  BOOST_TEST(contains(with(R"("copy_of":[0.5],"origin":[[0]])"), "not a whole number in range"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1],"origin":[[0,1]])"), "an origin has 2 entries"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1],"origin":[[0,1,2,3,4,5,6]])"), "an origin has 5 entries"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1],"origin":[[]])"), "an origin has 0 entries"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1],"origin":[0])"), "a number stands"));
+  BOOST_TEST(contains(with(R"("copy_of":[[1]],"origin":[[0]])"), "a list of 1 numbers"));
+  BOOST_TEST(contains(with(R"("copy_of":7,"origin":[[0]])"), "a number stands"));
+  BOOST_TEST(contains(with(R"("copy_of":{},"origin":[[0]])"), "a dictionary stands"));
+  BOOST_TEST(contains(with(R"("copy_of":[null],"origin":[[0]])"), "a null stands"));
+  BOOST_TEST(contains(with(R"("copy_of":["x"],"origin":[[0]])"), "a text stands"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1],"copy_of":[0],"origin":[[0]])"), "stands there twice"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1],"origin":[[0]],"else":[0])"), "no part of a map"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1])"), "it has no \"origin\""));
+  BOOST_TEST(contains(with(R"("result":"x","copy_of":[-1],"origin":[[0]])"), "unknown result 'x'"));
+  BOOST_TEST(contains(with(R"("copy_of":[-1],"origin":[[0]],"fields":[[1,2]])"), "a number stands"));
+  BOOST_TEST(
+    contains(with(R"("copy_of":[-1],"origin":[[0]],"fields":[{"curve":"x","values":[1]}])"), "a number stands"));
+  BOOST_TEST(contains(message("a.map.json", "{\"copy_of\": [1,"), "not a map file"));
+  BOOST_TEST(contains(message("a.map.json", std::string(1000000, '[')), "a list stands"));
+  BOOST_TEST(contains(message("a.map.cbor", std::string(1000000, '\x81')), "a list stands"));
+  BOOST_TEST(contains(message("a.map.cbor", std::string(1000000, '\xa1')), "not a map file"));
+  BOOST_TEST(contains(message("a.map.cbor", ""), "not a map file"));
+  const std::string whole = files::format_map(Result_mesh(), files::Result_kind::CUT, files::Map_format::CBOR);
+  BOOST_TEST(message("a.map.cbor", whole).empty());
+  BOOST_TEST(contains(message("a.map.cbor", whole.substr(0, whole.size() - 1)), "not a map file"));
 }
 
 BOOST_FIXTURE_TEST_CASE(files_that_are_not_committed_leave_nothing, Folder)

@@ -240,6 +240,29 @@ BOOST_AUTO_TEST_CASE(ways_through_faces_and_along_edges_cannot_be_shortened)
   }
 }
 
+// Definition: distances are the same to the last bit whether a heap or rings find them, also where edges are as different
+// as 1 and 10^8, so that some are beyond all rings that are near and others lie many in one ring.
+BOOST_AUTO_TEST_CASE(distances_by_rings_are_those_of_a_heap)
+{
+  const Triangle_surface s = sample::noisy(sample::torus(40, 25), 0.2, 9);
+  const Closed_model g = make_closed_model(s);
+  std::mt19937 random(11);
+  for (double spread : {0., 1., 4.})
+  {
+    std::vector<double> of_edge(s.number_of_halfedges()), lengths;
+    for (double& x : of_edge) { x = std::pow(10, spread * (2. * random() / std::mt19937::max() - 1)); }
+    for (Index h : g.halfedge) { lengths.push_back(of_edge[s.edge(h)]); }
+    for (Index source : {0, 17, 900})
+    {
+      const auto at_heap =
+        internal::find_shortest_ways(g.number_of_nodes, {{0., source}}, [&](Index a, const auto& reach) {
+          for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i) { reach(g.neighbor[i], lengths[i]); }
+        });
+      BOOST_TEST((edge_distances(g, lengths, source) == at_heap));
+    }
+  }
+}
+
 // Theorem (Tarjan, Vishkin 1985): what hangs below a node of a tree is what is entered while the walk is below it.
 BOOST_AUTO_TEST_CASE(a_walk_round_a_tree_is_below_a_node_while_it_has_entered_it)
 {

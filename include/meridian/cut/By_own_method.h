@@ -32,9 +32,9 @@ public:
   std::string name;      ///< that of the method
   bool cuts_edges;       ///< whether it finds a whole cut graph of edges
   bool moves_onto_edges; ///< whether its curves can be moved onto edges one by one
-  /// asks the method to cut the handles.
+  /// asks the method to cut the handles of `job.root`, of which it is given a copy to refine.
   /// \param job the surface and the choices, and what is filled
-  void cut_handles(Cut_job& job) const { m_cut(job); }
+  void cut_handles(Cut_job& job) const;
 
 private:
   std::function<void(Cut_job&)> m_cut;

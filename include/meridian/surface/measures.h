@@ -64,7 +64,7 @@ std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& 
 /// \param lengths one an edge of `g`, as made by `edge_lengths()`
 /// \param source a node
 /// \par Complexity
-/// \f$ O(n \log n) \f$ (\cite dijkstra1959).
+/// Linear where lengths of edges are alike (\cite meyer2003delta). They are Dijkstra's distances to the last bit.
 std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source);
 
 /// \ingroup PkgMeridianSurface

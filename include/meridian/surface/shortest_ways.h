@@ -4,6 +4,9 @@
 
 #include <meridian/base/vectors.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -84,6 +87,84 @@ std::vector<double> find_shortest_ways(Index elements, const std::vector<std::pa
     }
     return false;
   });
+  return d;
+}
+
+// Places by distance, in rings of one width: those of the innermost ring come in any order, and may come again while
+// there are shorter ways to them inside it (delta-stepping, Meyer and Sanders 2003).
+class Distance_rings
+{
+public:
+  explicit Distance_rings(double width) : m_width(width > 0 ? width : 1) {}
+
+  void reach(double distance, Index place)
+  {
+    const std::uint64_t ring = ring_of(distance) - m_first;
+    if (ring < m_near.size()) { m_near[ring].push_back(place); }
+    else { m_far.push_back(place); }
+  }
+
+  // Calls `leave(place)`, which may reach more, for each place, until nothing is left. `d`: the distances so far.
+  template <class Leave> void search(const std::vector<double>& d, const Leave& leave)
+  {
+    do {
+      for (std::size_t ring = 0; ring < m_near.size(); ++ring)
+      {
+        std::vector<Index>& places = m_near[ring];
+        for (std::size_t i = 0; i < places.size(); ++i)
+        {
+          const Index place = places[i];
+          if (ring_of(d[place]) == m_first + ring) { leave(place); } // not one that was left before
+        }
+        places.clear();
+      }
+    } while (take_far(d));
+  }
+
+private:
+  std::uint64_t ring_of(double distance) const { return static_cast<std::uint64_t>(distance / m_width); }
+
+  // Goes on at the innermost of what is far. Returns false if there is nothing.
+  bool take_far(const std::vector<double>& d)
+  {
+    const std::uint64_t done = m_first + m_near.size();
+    const auto is_left = [&](Index place) { return ring_of(d[place]) < done; };
+    m_far.erase(std::remove_if(m_far.begin(), m_far.end(), is_left), m_far.end());
+    if (m_far.empty()) { return false; }
+    const auto is_nearer = [&](Index a, Index b) { return d[a] < d[b]; };
+    m_first = ring_of(d[*std::min_element(m_far.begin(), m_far.end(), is_nearer)]);
+    std::vector<Index> far;
+    far.swap(m_far);
+    for (Index place : far) { reach(d[place], place); }
+    return true;
+  }
+
+  double m_width;
+  std::uint64_t m_first = 0; // the innermost ring that is near
+  std::array<std::vector<Index>, 256> m_near;
+  std::vector<Index> m_far;
+};
+
+// The distance of each of some elements from one of them, infinite where no way leads: what `find_shortest_ways()`
+// finds, bit for bit, since a sum of floating-point numbers does not get smaller with a summand. Nothing is said of the
+// ways, and in return no heap is kept. `width`: about the length from one element to the next.
+template <class For_each_neighbor>
+std::vector<double> find_distances(Index elements, Index source, double width,
+                                   const For_each_neighbor& for_each_neighbor)
+{
+  std::vector<double> d(elements, std::numeric_limits<double>::infinity());
+  Distance_rings rings(width);
+  d[source] = 0;
+  rings.reach(0, source);
+  const auto leave = [&](Index v) {
+    const double at = d[v];
+    for_each_neighbor(v, [&](Index w, double length) {
+      if (!(at + length < d[w])) { return; }
+      d[w] = at + length;
+      rings.reach(d[w], w);
+    });
+  };
+  rings.search(d, leave);
   return d;
 }
 

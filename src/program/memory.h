@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program asks of the allocator, where that can be asked.
+#ifndef MERIDIAN_MEMORY_H
+#define MERIDIAN_MEMORY_H
+
+namespace meridian {
+namespace program {
+
+// Arrays are taken again and again: memory that is given back to the system each time costs up to half of a run. So
+// only the largest go back by themselves, which would leave the largest gaps.
+void keep_memory();
+
+// Gives back the gaps between arrays: where one part of a run is over, and the next needs arrays of other sizes.
+void give_back_memory();
+
+} // namespace program
+} // namespace meridian
+
+#endif // MERIDIAN_MEMORY_H
