@@ -46,11 +46,6 @@ void Normal_curves::extend(const End& end, Index to, const std::vector<Index>& h
   m_store.extend(end, to, halfedges, around);
 }
 
-Index Normal_curves::splice(const End& from, const End& to, const std::vector<Index>& halfedges)
-{
-  return m_store.splice(from, to, halfedges);
-}
-
 bool Normal_curves::has_changed_at(Index v, std::uint64_t since) const
 {
   const auto& ends = ends_at(v);

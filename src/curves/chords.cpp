@@ -174,16 +174,6 @@ bool crosses_partner_once(const Normal_curves& curves, Index curve)
   return internal::count_in_faces(curves, faces, count) && count[curve / 2] == 1;
 }
 
-bool is_disjoint(const Normal_curves& curves, Index curve)
-{
-  const Triangle_surface& s = curves.surface();
-  std::vector<Index> faces, count(curves.number_of_pairs(), 0);
-  for (Index x : curves.crossings(curve))
-    for (Index h : {curves[x].halfedge, s.opposite[curves[x].halfedge]}) { faces.push_back(s.face(h)); }
-  return internal::count_in_faces(curves, faces, count)
-         && (count.empty() || curve / 2 >= static_cast<Index>(count.size()) || count[curve / 2] == 0);
-}
-
 bool runs_from_right(const Normal_curves& curves, Index curve)
 {
   const Index face = curves.meeting(curve);

@@ -97,53 +97,6 @@ Index Crossing_store::edge_along(Index curve) const
   return m_surface.edge(g);
 }
 
-Index Crossing_store::splice(const End& from, const End& to, const std::vector<Index>& halfedges)
-{
-  const Index v = vertex(from);
-  std::vector<std::pair<Id, bool>> chain; // crossings, and whether they are turned over
-  const auto take = [&](Index curve, bool is_turned) {
-    auto ids = crossings(curve);
-    if (is_turned) { std::reverse(ids.begin(), ids.end()); }
-    for (Id x : ids) { chain.emplace_back(x, is_turned); }
-  };
-  const Index curve = append_curve();
-  take(from.curve, !from.is_last);
-  for (Index h : halfedges) { chain.emplace_back(append_at(h, curve, m_surface.target(h) == v), false); }
-  const std::size_t size = chain.size();
-  take(to.curve, to.is_last);
-  std::size_t same = 0; // crossings that the two have in common next to the vertex, if no halfedge is between them
-  while (halfedges.empty() && same < size && size + same < chain.size()
-         && edge(chain[size - 1 - same].first) == edge(chain[size + same].first))
-  {
-    ++same;
-  }
-  for (std::size_t i = size - same; i < size + same; ++i) { unlist(chain[i].first); }
-  chain.erase(chain.begin() + (size - same), chain.begin() + (size + same));
-  const std::array<Index, 2> ends{vertex({from.curve, !from.is_last}), vertex({to.curve, !to.is_last})};
-  for (Index old : {from.curve, to.curve}) { clear(old); }
-  link(curve, chain, ends);
-  return curve;
-}
-
-std::array<Index, 2> Crossing_store::split(Id x, Index v)
-{
-  const Index old = m_crossings[x].curve;
-  const std::array<Index, 2> ends = m_curves[old].ends;
-  std::array<std::vector<std::pair<Id, bool>>, 2> chain;
-  int part = 0;
-  for (Id y : crossings(old))
-  {
-    if (y == x) { part = 1; }
-    else { chain[part].emplace_back(y, false); }
-  }
-  clear(old);
-  unlist(x);
-  const Index first = append_curve(), second = append_curve();
-  link(first, chain[0], {ends[0], v});
-  link(second, chain[1], {v, ends[1]});
-  return {first, second};
-}
-
 void Crossing_store::remove(Index curve)
 {
   const auto ids = crossings(curve);

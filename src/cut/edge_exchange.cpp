@@ -23,6 +23,7 @@ Edge_exchange::Edge_exchange(const Triangle_surface& s, std::vector<char>& is_cu
   {
     m_length.push_back(s.length(h));
     m_degree[s.source(h)] += is_cut[h];
+    m_mean_length += m_length[h] / s.number_of_halfedges();
   }
 }
 
@@ -30,6 +31,7 @@ int Edge_exchange::run()
 {
   if (!begin()) { return 0; }
   grow();
+  find_candidates();
   const int straightened = straighten_all();
   return straightened + exchange_all();
 }
@@ -146,21 +148,43 @@ Index Edge_exchange::corner(Index h) const
 void Edge_exchange::grow()
 {
   m_reached.assign(m_surface.number_of_vertices(), {});
-  m_candidates.clear();
-  m_queue.clear();
   double farthest = 0; // from the rim: half the longest path
   for (const Side& side : m_sides) { farthest = std::max(farthest, side.mate < 0 ? 0 : side.length / 2); }
+  Distance_rings rings(m_mean_length);
+  const auto reach = [&](Index h, double distance, Index root) {
+    const Index w = m_surface.target(h);
+    const double length = distance + m_length[h];
+    if (is_used(w) || !(length < m_reached[w].distance) || length > farthest) { return; }
+    m_reached[w] = {length, h, root};
+    rings.reach(length, w);
+  };
   for (const Side& side : m_sides)
     for (Index h : side.halfedges)
-      for (Index g = m_surface.turn_left(h); g >= 0 && !is_wall(g); g = m_surface.turn_left(g))
-      {
-        take(g, 0, g, farthest);
-      }
-  m_queue.search([&](double at, Index v) {
-    if (at > m_reached[v].distance) { return false; }
-    m_surface.for_each_outgoing(v, [&](Index h) { take(h, at, m_reached[v].root, farthest); });
-    return false;
-  });
+      for (Index g = m_surface.turn_left(h); g >= 0 && !is_wall(g); g = m_surface.turn_left(g)) { reach(g, 0, g); }
+  rings.search([&](Index v) { return m_reached[v].distance; },
+               [&](Index v) {
+                 const Reached here = m_reached[v];
+                 m_surface.for_each_outgoing(v, [&](Index h) { reach(h, here.distance, here.root); });
+               });
+}
+
+void Edge_exchange::find_candidates()
+{
+  m_candidates.clear();
+  std::pair<Index, Index> last{-1, -1}; // two sides that touch do so along many edges
+  Candidate* c = nullptr;
+  for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
+  {
+    if (m_surface.edge(h) != h || is_wall(h)) { continue; }
+    const Index root = first_of(h), other = first_of(m_surface.opposite[h]);
+    if (root < 0 || other < 0 || root == other) { continue; }
+    const std::pair<Index, Index> sides = std::minmax(m_side[corner(root)], m_side[corner(other)]);
+    if (sides.first == sides.second) { continue; }
+    if (sides != last) { c = &m_candidates[sides]; }
+    last = sides;
+    const double whole = distance_of(m_surface.source(h)) + m_length[h] + distance_of(m_surface.target(h));
+    if (whole < c->length) { *c = {whole, h}; }
+  }
 }
 
 std::vector<Edge_exchange::Path> Edge_exchange::collect_cells() const
@@ -171,26 +195,6 @@ std::vector<Edge_exchange::Path> Edge_exchange::collect_cells() const
     if (m_reached[v].root >= 0) { cells[m_side[corner(m_reached[v].root)]].push_back(v); }
   }
   return cells;
-}
-
-void Edge_exchange::take(Index h, double distance, Index root, double farthest)
-{
-  const Index w = m_surface.target(h);
-  const double length = distance + m_length[h];
-  Reached& there = m_reached[w];
-  if (is_used(w) || there.distance <= distance) // reached for good
-  {
-    const Index a = m_side[corner(root)], b = m_side[corner(first_of(m_surface.opposite[h]))];
-    if (a == b) { return; }
-    Candidate& c = m_candidates[std::minmax(a, b)];
-    const double whole = length + (is_used(w) ? 0 : there.distance);
-    if (whole < c.length) { c = {whole, h}; }
-  }
-  else if (length < there.distance && length <= farthest)
-  {
-    there = {length, h, root};
-    m_queue.reach(length, w);
-  }
 }
 
 Index Edge_exchange::first_of(Index h) const

@@ -219,7 +219,8 @@ bool exchange_neighbors(Normal_curves& curves, Index curve, const Tighten_option
     Normal_curves::Trial trial(curves);
     contract(curves, curve, to_last);
     tighten_around(curves, {goal}, options);
-    if (length_around(curves, {goal}) < before * (1 - 1e-9))
+    const double drawn_together = length_around(curves, {goal});
+    if (drawn_together < before * (1 - 1e-9))
     {
       trial.keep();
       return true;
@@ -228,6 +229,9 @@ bool exchange_neighbors(Normal_curves& curves, Index curve, const Tighten_option
     const auto moves = find_vertex_moves(curves, star);
     for (std::size_t i = 0; i < std::min<std::size_t>(4, moves.size()); ++i)
     {
+      // the slope only gets less along the edge
+      const double most = -moves[i].slope * distance(s.points[goal], s.points[moves[i].to]);
+      if (!(drawn_together - most < before)) { continue; }
       Normal_curves::Trial inner(curves);
       apply(curves, star, goal, moves[i]);
       tighten_around(curves, {goal, moves[i].to}, options);

@@ -28,10 +28,9 @@ void reshape_graph(const Triangle_surface& root, const Cut_options& options, con
   run(Stage::SHORTEN, [&] {
     Refined_surface s(root);
     std::vector<Index> edges = cut_of_edges_near(root, cut.surface, shorten ? 0 : 5);
-    if (shorten) // fast, and a better beginning
+    if (shorten && options.on_edges)
     {
-      edges = exchange_in_edge_cut(root, edges, 10);
-      if (options.on_edges) { edges = straighten_edge_cut(root, edges, Path_ends::SLIDE, 5); }
+      edges = straighten_edge_cut(root, exchange_in_edge_cut(root, edges, 10), Path_ends::SLIDE, 5);
     }
     flag_seam(s, edges);
     std::vector<std::vector<Index>> paths = seam_paths(s);

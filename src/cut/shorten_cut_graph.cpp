@@ -4,14 +4,18 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/curves/place_crossings.h>
 #include <meridian/curves/sleeve.h>
-#include <meridian/cut/internal/network_exchange.h>
+#include <meridian/cut/edge_cuts.h>
 #include <meridian/cut/internal/network_moves.h>
+#include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/measures.h>
+#include <meridian/surface/seam_paths.h>
+#include <meridian/surface/seams.h>
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <set>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -59,8 +63,10 @@ double network_length(const Normal_curves& curves)
   return sum;
 }
 
-void move_vertices(Normal_curves& curves, const Tighten_options& options, const std::function<void()>& pause)
+void move_vertices(Normal_curves& curves, const Tighten_options& options, const Progress& progress)
 {
+  const double least_gain =
+    (std::getenv("LEAST") ? std::atof(std::getenv("LEAST")) : 10) * options.least_gain; // of a pass
   // What could not be moved at some time can not as long as nothing has changed there.
   std::unordered_map<Index, std::uint64_t> at_vertex, at_curve;
   const auto has_changed = [&](Index v, std::uint64_t since) {
@@ -77,7 +83,7 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
       }
     for (Index v : vertices)
     {
-      pause();
+      if (progress) { progress(static_cast<double>(pass) / options.passes); }
       const auto tried = at_vertex.find(v);
       if (tried != at_vertex.end() && !has_changed(v, tried->second)) { continue; }
       Index last = v;
@@ -101,11 +107,33 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
       at_curve[c] = curves.clock();
     }
     tighten_curves(curves, options);
-    if (!(network_length(curves) < (1 - 10 * options.least_gain) * before)) { return; }
+    if (!(network_length(curves) < (1 - least_gain) * before)) { return; }
   }
 }
 
 namespace {
+
+// The paths of the shorter graph that exchanging makes of one.
+std::vector<std::vector<Index>> exchange_paths(const Triangle_surface& root,
+                                               const std::vector<std::vector<Index>>& paths, int rounds)
+{
+  std::vector<Index> edges;
+  for (const auto& path : paths)
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+      const Index h = root.find_halfedge(path[i - 1], path[i]);
+      if (h < 0 || root.opposite[h] < 0)
+      {
+        throw Invalid_input_error("shorten_cut_graph: vertices " + std::to_string(path[i - 1]) + " and "
+                                  + std::to_string(path[i])
+                                  + " of a path are not joined by an edge inside the surface");
+      }
+      edges.push_back(root.edge(h));
+    }
+  Refined_surface s(root);
+  flag_seam(s, exchange_in_edge_cut(root, edges, rounds));
+  return seam_paths(s);
+}
 
 // The curves of a network, placed.
 std::vector<Surface_curve> place_network(const Normal_curves& curves)
@@ -138,43 +166,24 @@ std::vector<Surface_curve> place_network(const Normal_curves& curves)
 std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
                                              const Tighten_options& options, const Progress& progress)
 {
+  if (paths.empty()) { return {}; }
+  constexpr int rounds = 10; // of exchanges
+  const std::vector<std::vector<Index>> exchanged = internal::exchange_paths(root, paths, rounds);
   Normal_curves curves(root, 0);
-  internal::add_paths(curves, paths);
-  if (curves.number_of_curves() == 0) { return {}; }
-  double done = 0;
-  const auto pause = [&] {
-    if (progress) { progress(done); }
-  };
+  internal::add_paths(curves, exchanged);
   tighten_curves(curves, options);
-  const double least_gain = 10 * options.least_gain; // of a search through the whole disc
-  internal::Network_exchange exchange(curves);
-  double last = internal::network_length(curves);
-  for (int round = 0; round < options.rounds; ++round)
-  {
-    done = static_cast<double>(round) / options.rounds;
-    internal::move_vertices(curves, options, pause);
-    for (double before = internal::network_length(curves); exchange.run(options, pause) > 0;)
-    {
-      const double now = internal::network_length(curves);
-      if (!(now < (1 - least_gain) * before)) { break; }
-      before = now;
-    }
-    tighten_curves(curves, options);
-    const double now = internal::network_length(curves);
-    if (!(now < (1 - least_gain) * last)) { break; }
-    last = now;
-  }
-  std::vector<Surface_curve> placed = internal::place_network(curves), as_given;
+  internal::move_vertices(curves, options, progress);
+  std::vector<Surface_curve> placed = internal::place_network(curves), on_edges;
   double before = 0, after = 0;
-  for (const auto& path : paths)
+  for (const auto& path : exchanged)
   {
-    auto& curve = as_given.emplace_back();
+    auto& curve = on_edges.emplace_back();
     for (Index v : path) { curve.points.push_back(Curve_point::on_vertex(v)); }
     before += length(root, curve);
   }
   for (const Surface_curve& curve : placed) { after += length(root, curve); }
-  // where faces have no area, the places of crossings may cost more than was gained
-  return after < before ? placed : as_given;
+  // where a face has many curves, or no area, the places of crossings may cost more than was gained
+  return after < before ? placed : on_edges;
 }
 
 } // namespace meridian

@@ -110,10 +110,6 @@ public:
   void extend(const End& end, Index to, const std::vector<Index>& halfedges, Index around);
   /// \param end an end, whose crossings that only lead round its vertex are left out
   void trim(const End& end) { m_store.trim(end); }
-  /// \param from, to ends of two curves \param halfedges crossed between them \returns the one curve
-  Index splice(const End& from, const End& to, const std::vector<Index>& halfedges);
-  /// \param x a crossing \param v the vertex that its curve is divided at \returns the two curves
-  std::array<Index, 2> split(Id x, Index v) { return m_store.split(x, v); }
 
   /// \returns a number that grows with every change of course
   std::uint64_t clock() const { return m_store.clock(); }

@@ -54,10 +54,6 @@ std::vector<Index> count_crossings(const Normal_curves& curves);
 bool crosses_partner_once(const Normal_curves& curves, Index curve);
 
 /// \param curves, curve a curve
-/// \returns whether a curve is simple and crosses no other
-bool is_disjoint(const Normal_curves& curves, Index curve);
-
-/// \param curves, curve a curve
 /// \returns the length of a curve
 double length(const Normal_curves& curves, Index curve);
 

@@ -20,9 +20,8 @@ void add_paths(Normal_curves& curves, const std::vector<std::vector<Index>>& pat
 
 double network_length(const Normal_curves& curves);
 
-// Moves all vertices of a network, and parts and joins them, until no pass gains more than the least gain. `pause` is
-// called between moves; it may throw.
-void move_vertices(Normal_curves& curves, const Tighten_options& options, const std::function<void()>& pause);
+// Moves all vertices of a network, and parts and joins them, until no pass gains much more than the least gain.
+void move_vertices(Normal_curves& curves, const Tighten_options& options, const Progress& progress = {});
 
 } // namespace internal
 
@@ -31,16 +30,15 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
  *
  * makes a cut graph shorter; what it leaves of the surface stays a disc.
  *
- * The paths of the graph become open curves in normal position. Three moves are tried by turns until none gains more
- * than the least gain:
+ * Shorter ways of edges through the disc take the place of paths whose two sides they separate (see
+ * `exchange_in_edge_cut()`): this chooses the graph. Its paths become open curves in normal position, and two moves are
+ * tried by turns until they gain little:
  * - a curve is pulled tight and moved over vertices of the mesh (see `tighten_curves()`);
  * - a vertex of the graph moves to a neighbour, two curves that leave it at less than 120 degrees part from the others,
- * or two vertices draw together and part the other way: the graph tends to a Steiner network of geodesics;
- * - a shorter way through the disc takes the place of a curve whose two sides it separates.
+ * or two vertices draw together and part the other way: the graph tends to a Steiner network of geodesics.
  *
- * The first two keep the class of the graph. The third keeps the disc: a disc cut along a way through it is two discs,
- * and glueing them along a curve that lies on both makes one. Which curves these are is read from the walk around the
- * disc, and the walk is done again, as a count, after each exchange. No step depends on a number being exact.
+ * These keep the class of the graph. The exchange keeps the disc: a disc cut along a way through it is two discs, and
+ * glueing them along a path that lies on both makes one. No step depends on a number being exact.
  *
  * \param root the surface
  * \param paths the graph: vertices joined by edges inside the surface, as from `seam_paths()`
@@ -49,10 +47,9 @@ void move_vertices(Normal_curves& curves, const Tighten_options& options, const 
  *
  * \returns the curves of the graph, not longer than it was; their ends are vertices of `root`
  * \pre `root` is connected; cutting along the paths leaves one disc; no path dangles
- * \throws Internal_error if the paths leave anything but a disc
+ * \throws Invalid_input_error if the paths leave anything but a disc, or are no paths of edges
  * \par Complexity
- * \f$ O(n \log n) \f$ for each round of exchanges and the size of the graph for each of them, and linear in the
- * crossings of the curves that a move changes
+ * That of `exchange_in_edge_cut()`, and linear in the crossings of the curves that a move changes
  */
 std::vector<Surface_curve> shorten_cut_graph(const Triangle_surface& root, const std::vector<std::vector<Index>>& paths,
                                              const Tighten_options& options = Tighten_options(),

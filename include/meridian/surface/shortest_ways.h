@@ -104,8 +104,8 @@ public:
     else { m_far.push_back(place); }
   }
 
-  // Calls `leave(place)`, which may reach more, for each place, until nothing is left. `d`: the distances so far.
-  template <class Leave> void search(const std::vector<double>& d, const Leave& leave)
+  // Calls `leave(place)`, which may reach more, for each place, until nothing is left. `distance_of(place)`: so far.
+  template <class Distance_of, class Leave> void search(const Distance_of& distance_of, const Leave& leave)
   {
     do {
       for (std::size_t ring = 0; ring < m_near.size(); ++ring)
@@ -114,28 +114,28 @@ public:
         for (std::size_t i = 0; i < places.size(); ++i)
         {
           const Index place = places[i];
-          if (ring_of(d[place]) == m_first + ring) { leave(place); } // not one that was left before
+          if (ring_of(distance_of(place)) == m_first + ring) { leave(place); } // not one that was left before
         }
         places.clear();
       }
-    } while (take_far(d));
+    } while (take_far(distance_of));
   }
 
 private:
   std::uint64_t ring_of(double distance) const { return static_cast<std::uint64_t>(distance / m_width); }
 
   // Goes on at the innermost of what is far. Returns false if there is nothing.
-  bool take_far(const std::vector<double>& d)
+  template <class Distance_of> bool take_far(const Distance_of& distance_of)
   {
     const std::uint64_t done = m_first + m_near.size();
-    const auto is_left = [&](Index place) { return ring_of(d[place]) < done; };
+    const auto is_left = [&](Index place) { return ring_of(distance_of(place)) < done; };
     m_far.erase(std::remove_if(m_far.begin(), m_far.end(), is_left), m_far.end());
     if (m_far.empty()) { return false; }
-    const auto is_nearer = [&](Index a, Index b) { return d[a] < d[b]; };
-    m_first = ring_of(d[*std::min_element(m_far.begin(), m_far.end(), is_nearer)]);
+    const auto is_nearer = [&](Index a, Index b) { return distance_of(a) < distance_of(b); };
+    m_first = ring_of(distance_of(*std::min_element(m_far.begin(), m_far.end(), is_nearer)));
     std::vector<Index> far;
     far.swap(m_far);
-    for (Index place : far) { reach(d[place], place); }
+    for (Index place : far) { reach(distance_of(place), place); }
     return true;
   }
 
@@ -164,7 +164,7 @@ std::vector<double> find_distances(Index elements, Index source, double width,
       rings.reach(d[w], w);
     });
   };
-  rings.search(d, leave);
+  rings.search([&](Index v) { return d[v]; }, leave);
   return d;
 }
 

@@ -75,13 +75,6 @@ public:
   void trim(const End& end);
   /// \returns the edge that an open curve without crossings runs along
   Index edge_along(Index curve) const;
-  /// joins two curves that end at one vertex, and passes it: the new curve crosses `halfedges`, near to the vertex, on
-  /// its way from the first to the second.
-  /// \returns the new curve
-  Index splice(const End& from, const End& to, const std::vector<Index>& halfedges);
-  /// parts a curve at crossing `x`, which is the nearest of its edge to vertex `v`: both parts end there.
-  /// \returns the parts
-  std::array<Index, 2> split(Id x, Index v);
   void remove(Index curve);
 
   /// \returns how many changes there have been, those that were taken back among them

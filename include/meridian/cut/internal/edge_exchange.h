@@ -83,8 +83,9 @@ private:
   void grow();
   // The vertices in the cell of each side.
   std::vector<Path> collect_cells() const;
-  // Goes on along a halfedge from a vertex at some distance.
-  void take(Index h, double distance, Index root, double farthest);
+  // The shortest way where the cells of two sides touch, for all sides.
+  void find_candidates();
+  double distance_of(Index v) const { return is_used(v) ? 0 : m_reached[v].distance; }
   // The first halfedge of the way that leads to the source of a halfedge and over it.
   Index first_of(Index h) const;
 
@@ -117,8 +118,9 @@ private:
 
   const Triangle_surface& m_surface;
   std::vector<char>& m_is_cut;
-  std::vector<Index> m_degree;    // of each vertex in the cut graph
-  std::vector<double> m_length;   // of each halfedge
+  std::vector<Index> m_degree;  // of each vertex in the cut graph
+  std::vector<double> m_length; // of each halfedge
+  double m_mean_length = 0;
   std::vector<Side> m_sides;      // and some that are no more
   std::vector<Index> m_order;     // of the sides along the rim
   std::vector<Index> m_rank;      // of each side in this order
