@@ -1,6 +1,7 @@
 // Each part of a cut, and the whole, on plates with holes: 10 thousand to 1 million faces, genus 1 to 1000. Every
 // answer is checked before it is timed. Beside the whole stand the time to read the file and the yardstick, one
 // assembly, ordering, factorization and solve, measured in the same run with one thread; `of_yardstick` is their ratio.
+#include "support.h"
 #include "support/sample_surfaces.h"
 
 #include "files/read_mesh.h"
@@ -48,23 +49,9 @@
 #include <fstream>
 #include <memory>
 
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
-
 namespace {
 
 using namespace meridian;
-
-// A plate with n x n holes, each unit side divided so that it has about the given number of faces.
-Triangle_surface plate(int faces, int genus)
-{
-  const int n = static_cast<int>(std::lround(std::sqrt(static_cast<double>(genus)))), side = 2 * n + 1;
-  const double units = 2. * (side * side - n * n) + 4. * n * n + 4. * side;
-  const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(faces / units / 2))));
-  auto s = sample::skin(
-    {side, side, 1}, [](int i, int j, int) { return i % 2 == 0 || j % 2 == 0; }, k);
-  return sample::noisy(std::move(s), 0.2 / k, 1);
-}
 
 // Everything that the parts start from, made once for a surface.
 struct Stages
@@ -84,7 +71,7 @@ struct Stages
   std::vector<Cut> cuts;
   Assembled_result assembled;
 
-  Stages(int faces, int wanted_genus) : root(plate(faces, wanted_genus))
+  Stages(int faces, int wanted_genus) : root(plate(faces, static_cast<int>(std::lround(std::sqrt(wanted_genus)))))
   {
     soup = sample::soup(root);
     genus = (2 - sample::euler_characteristic(root)) / 2;
@@ -290,10 +277,6 @@ void whole_cut(benchmark::State& state)
     reading.push_back(seconds([&] { benchmark::DoNotOptimize(files::read_mesh(path)); }));
   }
   std::filesystem::remove(path);
-  const auto median = [](std::vector<double> v) {
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
-  };
   state.counters["yardstick_s"] = median(yardstick);
   state.counters["read_s"] = median(reading);
   state.counters["of_yardstick"] = median(ratio);
@@ -315,16 +298,14 @@ void whole_generators(benchmark::State& state)
     ratio.push_back(seconds([&] { benchmark::DoNotOptimize(verify_generators(s.root, find_generators(s.root))); })
                     / cut);
   }
-  std::sort(ratio.begin(), ratio.end());
-  state.counters["of_cut"] = ratio[1];
+  state.counters["of_cut"] = median(ratio);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  if (openblas_set_num_threads) { openblas_set_num_threads(1); }
-  if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
+  set_up();
   benchmark::Initialize(&argc, argv);
   const std::vector<std::pair<const char*, void (*)(benchmark::State&)>> parts{
     {"examine", examine},

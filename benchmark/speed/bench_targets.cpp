@@ -1,8 +1,9 @@
 // What the program costs in measures of the same run: of reading and writing the files, of one factorization of the
 // mesh's own Laplacian, of another command. usage: bench_targets PROGRAM [MESH | faces:N ...]
 //
-// Times are CPU seconds of whole processes, the median of three, and each ratio is taken within one round. Each answer
+// Times are seconds of whole processes, the median of three; each ratio is one of CPU seconds within one round. Each answer
 // is verified by the program before it counts.
+#include "support.h"
 #include "support/sample_surfaces.h"
 
 #include "files/read_mesh.h"
@@ -10,8 +11,12 @@
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/vectors.h>
+#include <meridian/cut/Cut.h>
+#include <meridian/cut/cut_to_disc.h>
 #include <meridian/field/Laplace_system.h>
 #include <meridian/field/edge_weights.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/assemble_result.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/examine_surface.h>
@@ -26,7 +31,7 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -36,9 +41,6 @@
 #include <string>
 #include <vector>
 
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
-extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
-
 namespace {
 
 using namespace meridian;
@@ -46,7 +48,7 @@ namespace fs = std::filesystem;
 
 struct Cost
 {
-  double seconds = 0, megabytes = 0;
+  double seconds = 0, wall = 0, megabytes = 0; // seconds of all cores, and as they pass
 };
 
 bool is_right = true; // every answer so far
@@ -54,6 +56,7 @@ bool is_right = true; // every answer so far
 // The cost of a child process, which must end with status 0.
 Cost of_child(const std::function<void()>& work)
 {
+  const auto begin = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0)
   {
@@ -64,8 +67,9 @@ Cost of_child(const std::function<void()>& work)
   rusage usage{};
   wait4(child, &status, 0, &usage);
   is_right = is_right && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   const auto seconds = [](const timeval& t) { return t.tv_sec + 1e-6 * t.tv_usec; };
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), usage.ru_maxrss / 1024.};
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count(), usage.ru_maxrss / 1024.};
 }
 
 Cost of_program(std::vector<std::string> words)
@@ -89,7 +93,9 @@ public:
   {
     Examination e = examine_surface(soup);
     if (e.components.empty()) { std::exit(1); }
+    m_genus = e.components.front().genus();
     m_surface = std::move(e.components.front().surface);
+    m_soup = sample::soup(m_surface);
     Result_mesh mesh;
     mesh.points = m_surface.points;
     mesh.faces = m_surface.triangles;
@@ -98,6 +104,7 @@ public:
 
   Index faces() const { return m_surface.number_of_faces(); }
   Index vertices() const { return m_surface.number_of_vertices(); }
+  int genus() const { return m_genus; }
 
   Cost run(const char* command, std::initializer_list<const char*> options = {}) const
   {
@@ -132,6 +139,17 @@ public:
     });
   }
 
+  // A cut without files: examined, cut and recounted.
+  Cost cut_in_memory() const
+  {
+    return of_child([&] {
+      const Examination e = examine_surface(m_soup);
+      std::vector<Cut> cuts;
+      cuts.push_back(cut_to_disc(e.components.front().surface));
+      if (!verify_cut(m_soup, assemble_result(m_soup, e, cuts).mesh)) { _exit(1); }
+    });
+  }
+
   // The Laplacian assembled, ordered and factorized once by the direct solver, and one solution.
   Cost factorization() const
   {
@@ -152,18 +170,9 @@ private:
   std::string m_program;
   fs::path m_input, m_folder;
   Triangle_surface m_surface;
+  Polygon_soup m_soup; // of the same
+  int m_genus = 0;
 };
-
-// A plate with n x n holes.
-Polygon_soup plate(int faces, int n)
-{
-  const int side = 2 * n + 1;
-  const double units = 2. * (side * side - n * n) + 4. * n * n + 4. * side;
-  const int k = std::max(1, static_cast<int>(std::ceil(std::sqrt(faces / units / 2))));
-  const auto s = sample::skin(
-    {side, side, 1}, [](int i, int j, int) { return i % 2 == 0 || j % 2 == 0; }, k);
-  return sample::soup(sample::noisy(s, 0.2 / k, 1));
-}
 
 // Prints the median of the ratios of two costs, the first of them at its median.
 void print(const std::string& mesh, const char* what, const char* of, double target, std::vector<Cost> costs,
@@ -171,16 +180,17 @@ void print(const std::string& mesh, const char* what, const char* of, double tar
 {
   std::vector<double> ratio;
   for (std::size_t i = 0; i < costs.size(); ++i) { ratio.push_back(costs[i].seconds / measures[i].seconds); }
-  std::sort(ratio.begin(), ratio.end());
   std::sort(costs.begin(), costs.end(), [](const Cost& a, const Cost& b) { return a.seconds < b.seconds; });
-  const Cost& median = costs[costs.size() / 2];
-  std::printf("| %s | %s | %.2f | %.0f | %s | %.2f | %.1f |\n", mesh.c_str(), what, median.seconds, median.megabytes,
-              of, ratio[ratio.size() / 2], target);
+  const Cost& c = costs[costs.size() / 2];
+  std::printf("| %s | %s | %.2f | %.2f | %.0f | %s | %.2f | %.1f |\n", mesh.c_str(), what, c.seconds, c.wall,
+              c.megabytes, of, median(ratio), target);
   std::fflush(stdout);
 }
 
 void measure(const std::string& name, const Mesh_costs& mesh)
 {
+  constexpr Index most_unwrapped = 400000, small = 110000; // faces
+  constexpr int few = 110;                                 // handles
   std::map<std::string, std::vector<Cost>> all;
   for (int i = 0; i < 3; ++i)
   {
@@ -192,21 +202,23 @@ void measure(const std::string& name, const Mesh_costs& mesh)
     all["search"].back().seconds += all["files"].back().seconds;
     all["generators"].push_back(mesh.run("generators"));
     all["factorization"].push_back(mesh.factorization());
-    if (mesh.faces() < 200000) { all["unwrap"].push_back(mesh.run("unwrap")); }
+    all["memory"].push_back(mesh.cut_in_memory());
+    if (mesh.faces() <= most_unwrapped) { all["unwrap"].push_back(mesh.run("unwrap")); }
   }
   print(name, "cut", "reading and writing", 1.5, all["cut"], all["files"]);
+  print(name, "cut, files not", "factorization", 0.6, all["memory"], all["factorization"]);
   print(name, "cut, tree-cotree", "Dijkstra, sorting, reading and writing", 1.2, all["tree"], all["search"]);
   print(name, "cut, graph tightened", "cut", 1.5, all["graph"], all["cut"]);
-  print(name, "generators", "cut", 4, all["generators"], all["cut"]);
-  if (!all["unwrap"].empty()) { print(name, "unwrap", "factorization", 20, all["unwrap"], all["factorization"]); }
+  print(name, "generators", "cut", mesh.genus() < few ? 2 : 4, all["generators"], all["cut"]);
+  if (all["unwrap"].empty()) { return; }
+  print(name, "unwrap", "factorization", mesh.faces() < small ? 20 : 40, all["unwrap"], all["factorization"]);
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-  if (openblas_set_num_threads) { openblas_set_num_threads(1); }
-  if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
+  set_up();
   if (argc < 2)
   {
     std::fputs("usage: bench_targets PROGRAM [MESH | faces:N ...]\n", stderr);
@@ -216,13 +228,13 @@ int main(int argc, char** argv)
   fs::create_directory(folder);
   std::vector<std::string> meshes(argv + 2, argv + argc);
   if (meshes.empty()) { meshes = {"faces:100000", "faces:300000"}; }
-  std::puts("| mesh | what | CPU s | MB | measure | ratio | target |\n|---|---|---|---|---|---|---|");
+  std::puts("| mesh | what | CPU s | s | MB | measure | ratio | target |\n|---|---|---|---|---|---|---|---|");
   std::fflush(stdout); // before it is forked
   for (const std::string& name : meshes)
   {
     const bool is_made = name.rfind("faces:", 0) == 0;
     const Mesh_costs mesh(fs::absolute(argv[1]), folder,
-                          is_made ? plate(std::atoi(name.c_str() + 6), 3) : files::read_mesh(name));
+                          is_made ? sample::soup(plate(std::atoi(name.c_str() + 6), 3)) : files::read_mesh(name));
     measure(is_made ? "plate, " + std::to_string(mesh.faces()) : fs::path(name).filename().string(), mesh);
   }
   fs::remove_all(folder);
