@@ -32,8 +32,8 @@ run() # program, mesh
   "$work/meridian.$1" cut "$2" -o "$work/out.off" --report "$work/report.json" --quiet $OPTIONS
   end=$(date +%s%N)
   awk -v mesh="$(basename "$2")" -v name="$1" -v whole=$((end - begin)) '
-    /"seconds": *{/ { inside = 1; next }
-    inside && /}/ { inside = 0 }
+    index($0, "\"seconds\":") { inside = 1; next }
+    inside && index($0, "}") { inside = 0 }
     inside { gsub(/[",:]/, " "); sum[$1] += $2 }
     END { for (s in sum) print mesh, s, name, sum[s]; print mesh, "whole", name, whole / 1e9 }' "$work/report.json"
 }
@@ -50,7 +50,7 @@ sort -k1,1 -k2,2 -k3,3 -k4,4g "$work/times" | awk '
     if (key == "") return
     split(key, k, " ")
     if (middle["base"] >= 0.002 || middle["head"] >= 0.002)
-      printf "| %s | %s | %s | %s | %.2f |\n", k[1], k[2], text["base"], text["head"], middle["base"] > 0 ? middle["head"] / middle["base"] : 0
+      printf "| %s | %s | %s | %s | %.2f |\n", k[1], k[2], text["base"], text["head"], (middle["base"] > 0 ? middle["head"] / middle["base"] : 0)
     delete middle; delete text
   }
   function flush_program() {
