@@ -132,7 +132,7 @@ std::vector<Index> exchange_in_edge_cut(const Triangle_surface& s, const std::ve
   double last = exchange.length();
   while (rounds-- > 0 && exchange.run() > 0)
   {
-    constexpr double least_gain = 1e-3;
+    constexpr double least_gain = 5e-3;
     const double now = exchange.length();
     if (!(now < (1 - least_gain) * last)) { break; }
     last = now;

@@ -5,11 +5,11 @@
 #include <meridian/cut/Edge_metric.h>
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/cut/internal/edge_trees.h>
+#include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
 #include <array>
 #include <limits>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -87,6 +87,20 @@ std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Seam_trac
   return edges.size() < 2 ? cut_sphere(root, trace.ends.front(), measure_edges(root, {})) : edges;
 }
 
+// The distance of each vertex along edges.
+std::vector<double> distances_from(const Triangle_surface& root, const std::vector<std::pair<double, Index>>& starts)
+{
+  double mean = 0;
+  for (Index h = 0; h < root.number_of_halfedges(); ++h) { mean += root.length(h) / root.number_of_halfedges(); }
+  return find_distances(root.number_of_vertices(), starts, mean, [&](Index v, const auto& reach) {
+    root.for_each_outgoing(v, [&](Index h) {
+      reach(root.target(h), root.length(h));
+      const Index in = root.prev(h); // a boundary edge has only the halfedge that comes in
+      if (root.opposite[in] < 0) { reach(root.source(in), root.length(in)); }
+    });
+  });
+}
+
 } // namespace
 
 } // namespace internal
@@ -98,28 +112,23 @@ std::vector<Index> cut_of_edges_near(const Triangle_surface& root, const Refined
   std::vector<std::pair<double, Index>> starts;
   for (Index v = 0; v < root.number_of_vertices(); ++v)
     if (trace.beside[v] < std::numeric_limits<double>::infinity()) { starts.emplace_back(trace.beside[v], v); }
-  const internal::Edge_tree tree = internal::grow_edge_tree(root, starts, [&](Index h) { return root.length(h); });
-
-  struct Rank
-  {
-    int kind;
-    double nearness;
-    Index edge;
-  };
-  std::vector<Rank> ranks;
+  const std::vector<double> away = internal::distances_from(root, starts);
+  // by what the seam does on them, those farthest from it first
+  std::array<std::vector<std::pair<double, Index>>, 4> ranks;
   for (Index h = 0; h < root.number_of_halfedges(); ++h)
   {
     if (root.opposite[h] < h) { continue; }
     const Index v = root.source(h), w = root.target(h);
     const bool touches = trace.is_on[v] || trace.is_on[w];
     const int kind = trace.follows[h] ? 3 : trace.crosses[h] ? 2 : touches ? 1 : 0;
-    ranks.push_back({kind, starts.empty() ? 0 : -(tree.distance[v] + tree.distance[w]), h});
+    ranks[kind].emplace_back(starts.empty() ? 0 : -(away[v] + away[w]), h);
   }
-  std::sort(ranks.begin(), ranks.end(), [](const Rank& a, const Rank& b) {
-    return std::tie(a.kind, a.nearness, a.edge) < std::tie(b.kind, b.nearness, b.edge);
-  });
   std::vector<Index> order;
-  for (const Rank& r : ranks) { order.push_back(r.edge); }
+  for (auto& of_kind : ranks)
+  {
+    std::sort(of_kind.begin(), of_kind.end());
+    for (const auto& [nearness, h] : of_kind) { order.push_back(h); }
+  }
   std::vector<char> is_cut = internal::edges_beside_face_tree(root, order);
   internal::prune(root, is_cut);
   return straighten_edge_cut(root, internal::flagged_edges(root, is_cut), Path_ends::SLIDE, rounds,

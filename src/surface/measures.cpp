@@ -77,7 +77,7 @@ std::vector<double> edge_lengths(const Triangle_surface& s, const Closed_model& 
 std::vector<double> edge_distances(const Closed_model& g, const std::vector<double>& lengths, Index source)
 {
   const double mean = std::accumulate(lengths.begin(), lengths.end(), 0.) / static_cast<double>(lengths.size());
-  return internal::find_distances(g.number_of_nodes, source, mean, [&](Index a, const auto& reach) {
+  return internal::find_distances(g.number_of_nodes, {{0., source}}, mean, [&](Index a, const auto& reach) {
     for (Index i = g.begin[a]; i < g.begin[a + 1]; ++i) { reach(g.neighbor[i], lengths[i]); }
   });
 }

@@ -145,26 +145,24 @@ private:
   std::vector<Index> m_far;
 };
 
-// The distance of each of some elements from one of them, infinite where no way leads: what `find_shortest_ways()`
-// finds, bit for bit, since a sum of floating-point numbers does not get smaller with a summand. Nothing is said of the
-// ways, and in return no heap is kept. `width`: about the length from one element to the next.
+// The distance of each of some elements from the nearest start, infinite where no way leads: what
+// `find_shortest_ways()` finds, bit for bit, since a sum of floating-point numbers does not get smaller with a summand.
+// Nothing is said of the ways, and in return no heap is kept. `width`: about the length from one element to the next.
 template <class For_each_neighbor>
-std::vector<double> find_distances(Index elements, Index source, double width,
+std::vector<double> find_distances(Index elements, const std::vector<std::pair<double, Index>>& starts, double width,
                                    const For_each_neighbor& for_each_neighbor)
 {
   std::vector<double> d(elements, std::numeric_limits<double>::infinity());
   Distance_rings rings(width);
-  d[source] = 0;
-  rings.reach(0, source);
-  const auto leave = [&](Index v) {
-    const double at = d[v];
-    for_each_neighbor(v, [&](Index w, double length) {
-      if (!(at + length < d[w])) { return; }
-      d[w] = at + length;
-      rings.reach(d[w], w);
-    });
+  const auto reach = [&](Index v, double at) {
+    if (!(at < d[v])) { return; }
+    d[v] = at;
+    rings.reach(at, v);
   };
-  rings.search([&](Index v) { return d[v]; }, leave);
+  for (const auto& [at, v] : starts) { reach(v, at); }
+  rings.search(
+    [&](Index v) { return d[v]; },
+    [&](Index v) { for_each_neighbor(v, [&, at = d[v]](Index w, double length) { reach(w, at + length); }); });
   return d;
 }
 
