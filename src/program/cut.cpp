@@ -294,6 +294,7 @@ int run_cut(const Cut_arguments& arguments)
 {
   files::check_writable_format(arguments.out);
   check_cut_arguments(arguments);
+  give_back_largest();
   Terminal terminal(arguments.quiet);
   const Loaded_mesh loaded = load_mesh(arguments);
   const Examination& examination = loaded.examination;

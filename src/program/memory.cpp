@@ -11,9 +11,17 @@ namespace program {
 void keep_memory()
 {
 #ifdef M_ARENA_MAX
-  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_MMAP_MAX, 0);
   mallopt(M_TRIM_THRESHOLD, 1 << 30);
   mallopt(M_ARENA_MAX, 1); // what one thread gave back serves the other
+#endif
+}
+
+void give_back_largest()
+{
+#ifdef M_ARENA_MAX
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_MMAP_MAX, 1 << 16);
 #endif
 }
 

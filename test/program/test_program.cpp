@@ -350,6 +350,26 @@ BOOST_FIXTURE_TEST_CASE(help_lists_every_choice_and_another_word_is_refused, Fix
   BOOST_TEST(contains(refused.error, "contours"), refused.error);
 }
 
+// A map in binary does for every command what one of text does, and two of them beside one result are one too many.
+BOOST_FIXTURE_TEST_CASE(maps_in_binary_are_written_and_recounted, Fixture)
+{
+  for (const std::string command : {"cut", "generators", "unwrap"})
+  {
+    const std::string out = command + "_binary";
+    const auto written = meridian(command + " mesh.obj -o " + out + ".obj --map cbor --quiet");
+    BOOST_TEST(written.status == 0, written.error);
+    BOOST_TEST(std::filesystem::exists(folder() / (out + ".map.cbor")));
+    BOOST_TEST(!std::filesystem::exists(folder() / (out + ".map.json")));
+    const auto verify = meridian("verify mesh.obj " + out + ".obj");
+    BOOST_TEST(verify.status == 0, verify.error);
+    BOOST_REQUIRE(meridian(command + " mesh.obj -o " + out + ".obj --quiet").status == 0);
+    const auto both = meridian("verify mesh.obj " + out + ".obj");
+    BOOST_TEST(both.status == 1);
+    BOOST_TEST(contains(both.error, "both the map of one result"), both.error);
+  }
+  BOOST_TEST(meridian("cut mesh.obj -o x.map.cbor --map cbor").status == 1); // no format of meshes
+}
+
 BOOST_FIXTURE_TEST_CASE(the_manual_and_the_shell_know_every_choice, Fixture)
 {
   std::ifstream file(MERIDIAN_MANUAL);
