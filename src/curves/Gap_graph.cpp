@@ -3,9 +3,28 @@
 
 #include <meridian/curves/chords.h>
 
+#include <algorithm>
+
 namespace meridian {
 
 namespace internal {
+
+namespace {
+
+// About how far nodes are apart, where no curves are: half of an edge.
+double mean_step(const Triangle_surface& s)
+{
+  double sum = 0;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h) { sum += distance(s.points[s.source(h)], s.points[s.target(h)]); }
+  return sum / (2. * std::max<Index>(s.number_of_halfedges(), 1));
+}
+
+} // namespace
+
+Gap_graph::Gap_graph(const Normal_curves& curves)
+  : m_curves(curves), m_surface(curves.surface()), m_first(curves.surface().number_of_halfedges(), -1),
+    m_rings(mean_step(curves.surface()))
+{}
 
 Gap_graph::Node Gap_graph::node(const Gap& g)
 {
@@ -16,7 +35,7 @@ Gap_graph::Node Gap_graph::node(const Gap& g)
     const auto gaps = static_cast<Index>(m_curves.on(g.edge).size()) + 1;
     for (Gap own{g.edge, 0}; own.place < gaps; ++own.place)
     {
-      m_nodes.push_back({m_surface.point_on(own.edge, middle_of(m_curves, own)), own, {-1, -1}, {}, 0});
+      m_nodes.push_back({m_surface.point_on(own.edge, middle_of(m_curves, own)), {}, {-1, -1}, {-1, -1}, own.edge, 0});
     }
   }
   return first + g.place;
@@ -24,7 +43,7 @@ Gap_graph::Node Gap_graph::node(const Gap& g)
 
 Index Gap_graph::region(Node n, bool is_opposite)
 {
-  const Index known = m_nodes[n].regions[is_opposite], edge = m_nodes[n].gap.edge;
+  const Index known = m_nodes[n].regions[is_opposite], edge = m_nodes[n].edge;
   return known >= 0 ? known : trace_region(n, m_surface.face(is_opposite ? m_surface.opposite[edge] : edge));
 }
 
@@ -41,12 +60,6 @@ Index Gap_graph::trace_region(Node n, Index face)
     ++m_members[region + 1];
   });
   return region;
-}
-
-void Gap_graph::clear()
-{
-  ++m_run;
-  m_queue.clear();
 }
 
 void Gap_graph::forget_around(Index curve)
@@ -71,12 +84,12 @@ void Gap_graph::forget_edge(Index edge)
     {
       const Index e = m_surface.edge(h);
       if (m_first[e] < 0) { continue; }
-      for (Node n = m_first[e]; n < static_cast<Node>(m_nodes.size()) && m_nodes[n].gap.edge == e; ++n)
+      for (Node n = m_first[e]; n < static_cast<Node>(m_nodes.size()) && m_nodes[n].edge == e; ++n)
       {
         m_nodes[n].regions[m_surface.face(e) != m_surface.face(side)] = -1;
       }
     }
-  for (Node n = m_first[edge]; n >= 0 && n < static_cast<Node>(m_nodes.size()) && m_nodes[n].gap.edge == edge; ++n)
+  for (Node n = m_first[edge]; n >= 0 && n < static_cast<Node>(m_nodes.size()) && m_nodes[n].edge == edge; ++n)
   {
     ++m_forgotten;
   }

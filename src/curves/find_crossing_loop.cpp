@@ -49,10 +49,7 @@ void reduce(Gap_walk& walk)
 Crossing_loop Crossing_loop_search::find(Index m)
 {
   const Way way = search(m);
-  if (way.region < 0 && way.nodes[LEFT] < 0)
-  {
-    throw Internal_error("find_crossing_loop: the two sides of a curve cannot be joined");
-  }
+  if (way.node < 0) { throw Internal_error("find_crossing_loop: the two sides of a curve cannot be joined"); }
   double length = 0;
   const Gap_walk walk = walk_along(way, length);
   const std::vector<Index> crossings = m_curves.crossings(m);
@@ -68,18 +65,20 @@ Crossing_loop_search::Way Crossing_loop_search::search(Index m)
 {
   m_graph.clear();
   Way way;
-  for (const Side side : {LEFT, RIGHT})
+  for (const Gap_graph::Side side : {Gap_graph::LEFT, Gap_graph::RIGHT})
     for (Index x : m_curves.crossings(m))
     {
-      const Gap_graph::Node n = m_graph.node(gap_beside(m_curves, x, side == LEFT));
-      m_graph.start(n, 0, side);
-      if (m_graph.reached(n).root != side) { way = {0, {n, n}, -1}; } // where the curve turns back on an edge
+      const Gap_graph::Node n = m_graph.node(gap_beside(m_curves, x, side == Gap_graph::LEFT));
+      m_graph.start(side, n);
+      if (side == Gap_graph::RIGHT && !(m_graph.distance_from(Gap_graph::LEFT, n) > 0))
+      {
+        way = {0, n}; // where the curve turns back on an edge
+      }
     }
   double farthest = way.length / 2;
-  m_graph.grow(farthest, [&](Gap_graph::Node n, Gap_graph::Node to, Index region, double length) {
+  m_graph.grow(farthest, [&](Gap_graph::Node n, double length) {
     if (!(length < way.length)) { return; }
-    const bool is_right = m_graph.reached(n).root == RIGHT;
-    way = {length, {is_right ? to : n, is_right ? n : to}, region};
+    way = {length, n};
     farthest = length / 2;
   });
   return way;
@@ -88,28 +87,22 @@ Crossing_loop_search::Way Crossing_loop_search::search(Index m)
 Gap_walk Crossing_loop_search::walk_along(const Way& way, double& length)
 {
   Gap_walk walk;
-  std::vector<Gap_graph::Node> nodes;
-  const auto add = [&](Gap_graph::Node n, Index region) {
-    nodes.push_back(n);
-    walk.stops.push_back({m_graph.gap(n), region < 0 ? -1 : m_graph.face(region)});
-  };
-  Index after = way.region;
-  for (Gap_graph::Node n = way.nodes[LEFT]; n >= 0; n = m_graph.reached(n).from)
-  {
-    add(n, after);
-    after = m_graph.reached(n).region;
-  }
-  std::reverse(walk.stops.begin(), walk.stops.end());
-  std::reverse(nodes.begin(), nodes.end());
-  for (Gap_graph::Node n = way.nodes[RIGHT]; n >= 0 && way.region >= 0; n = m_graph.reached(n).from)
-  {
-    add(n, m_graph.reached(n).region);
-  }
+  const auto add = [&](Gap_graph::Node n, Index face_after) { walk.stops.push_back({m_graph.gap(n), face_after}); };
   length = 0;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
-  {
-    length += distance(m_graph.point(nodes[i]), m_graph.point(nodes[i + 1]));
-  }
+  const auto go = [&](Gap_graph::Side side, const auto& visit) {
+    for (Gap_graph::Node n = way.node; m_graph.before(side, n) >= 0; n = m_graph.before(side, n))
+    {
+      length += distance(m_graph.point(n), m_graph.point(m_graph.before(side, n)));
+      visit(m_graph.before(side, n), m_graph.face_before(side, n));
+    }
+  };
+  go(Gap_graph::LEFT, add);
+  std::reverse(walk.stops.begin(), walk.stops.end());
+  add(way.node, -1);
+  go(Gap_graph::RIGHT, [&](Gap_graph::Node n, Index face) {
+    walk.stops.back().face_after = face;
+    add(n, -1);
+  });
   return walk;
 }
 

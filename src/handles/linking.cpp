@@ -15,7 +15,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <limits>
-#include <map>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -68,8 +68,7 @@ Exact_signs::Exact_signs(const Triangle_surface& s) : m_surface(s)
 
 int Exact_signs::side(const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) const
 {
-  const double fast =
-    (b.seen[0] - a.seen[0]) * (q.seen[1] - a.seen[1]) - (b.seen[1] - a.seen[1]) * (q.seen[0] - a.seen[0]);
+  const double fast = cross(a.seen, b.seen, q.seen);
   if (fast > m_sure_side) { return 1; }
   if (fast < -m_sure_side) { return -1; }
   const auto v = along(normal<CGAL::Interval_nt<false>>(a, b, a, q));
@@ -138,30 +137,31 @@ Box box_of(const Triangle_surface& s, std::initializer_list<Index> vertices, Ind
   return Box(box, info);
 }
 
-// Counts by edge how a loop through faces that crosses the edge passes over walks, seen in the projection.
+// Counts by edge how a loop through faces that crosses the edge passes over walks, seen in the projection. An edge that
+// several walks go along is looked at once.
 class Linking_count
 {
 public:
+  using Flow = std::vector<std::pair<Index, int>>; // by edge, added up where an edge comes again
+
   Linking_count(const Triangle_surface& s, const Exact_signs& signs, const std::vector<std::vector<Index>>& walks)
-    : m_surface(s), m_signs(signs), m_linked(walks.size()), m_crossed(walks.size())
+    : m_surface(s), m_signs(signs), m_walks(walks)
   {
-    for (std::size_t i = 0; i < walks.size(); ++i)
-    {
-      for (Index h : walks[i]) { m_steps.push_back({i, h}); }
-    }
+    for (const auto& walk : walks)
+      for (Index h : walk) { m_edges.push_back(s.edge(h)); }
+    std::sort(m_edges.begin(), m_edges.end());
+    m_edges.erase(std::unique(m_edges.begin(), m_edges.end()), m_edges.end());
+    m_over.resize(m_edges.size());
   }
 
   // False if something touches that should not.
   bool count()
   {
-    for (const Step& step : m_steps)
-    {
-      if (!count_at(step)) { return false; }
-    }
     std::vector<Box> edges, faces;
-    for (std::size_t i = 0; i < m_steps.size(); ++i)
+    for (std::size_t i = 0; i < m_edges.size(); ++i)
     {
-      const Index h = m_steps[i].halfedge;
+      if (!count_at(i)) { return false; }
+      const Index h = m_edges[i];
       edges.push_back(box_of(m_surface, {m_surface.source(h), m_surface.target(h)}, static_cast<Index>(i)));
     }
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
@@ -173,52 +173,66 @@ public:
     bool is_good = true;
     CGAL::box_intersection_d(
       edges.begin(), edges.end(), faces.begin(), faces.end(),
-      [&](const Box& edge, const Box& face) { is_good = is_good && count_over(m_steps[edge.info()], face.info()); });
+      [&](const Box& edge, const Box& face) { is_good = is_good && count_over(edge.info(), face.info()); });
     return is_good;
   }
 
   // For walk `i`, what a loop counts that crosses an edge from the face of its halfedge: over the walk, and across it.
-  const std::map<Index, int>& linked(std::size_t i) const { return m_linked[i]; }
-  const std::map<Index, int>& crossed(std::size_t i) const { return m_crossed[i]; }
+  Flow linked(std::size_t i) const
+  {
+    Flow flow;
+    for (const auto& [e, sign] : crossed(i))
+    {
+      const Flow& over = m_over[std::lower_bound(m_edges.begin(), m_edges.end(), e) - m_edges.begin()];
+      for (const auto& [edge, amount] : over) { flow.emplace_back(edge, sign * amount); }
+    }
+    return flow;
+  }
+  Flow crossed(std::size_t i) const
+  {
+    Flow flow;
+    for (Index h : m_walks[i]) { flow.emplace_back(m_surface.edge(h), m_surface.edge(h) == h ? 1 : -1); }
+    return flow;
+  }
 
 private:
-  struct Step
-  {
-    std::size_t walk;
-    Index halfedge;
-  };
-
-  // Where a loop crosses the walk itself, pushed along the normals. Seen in the projection, it passes over the edge
-  // from left to right, or it stays on one side of it and goes round it only where the surface folds away from the
+  // Where a loop crosses an edge of the walk itself, pushed along the normals. Seen in the projection, it passes over the
+  // edge from left to right, or it stays on one side of it and goes round it only where the surface folds away from the
   // edge.
-  bool count_at(const Step& step)
+  bool count_at(std::size_t i)
   {
-    const Index e = step.halfedge, own = m_surface.edge(e), o = m_surface.opposite[e];
+    const Index e = m_edges[i], o = m_surface.opposite[e];
     const Weighted_point a = m_signs.vertex(m_surface.source(e)), b = m_signs.vertex(m_surface.target(e));
-    m_crossed[step.walk][own] += own == e ? 1 : -1;
     const Weighted_point left_apex = m_signs.vertex(m_surface.apex(e)), right_apex = m_signs.vertex(m_surface.apex(o));
     const int left_up = m_signs.side(a, b, left_apex), right_up = -m_signs.side(a, b, right_apex);
-    const int fold = m_signs.volume(a, b, a, left_apex, right_apex);
-    if (left_up == 0 || right_up == 0 || (left_up != right_up && fold == 0)) { return false; }
-    if (left_up == right_up ? left_up > 0 : fold < 0) { m_linked[step.walk][own] += own == e ? -1 : 1; }
+    if (left_up == 0 || right_up == 0) { return false; }
+    bool passes_over = left_up > 0;
+    if (left_up != right_up)
+    {
+      const int fold = m_signs.volume(a, b, a, left_apex, right_apex);
+      if (fold == 0) { return false; }
+      passes_over = fold < 0;
+    }
+    if (passes_over) { m_over[i].emplace_back(e, -1); }
     return true;
   }
 
-  // Where a loop in a face passes over an edge of a walk elsewhere.
-  bool count_over(const Step& step, Index f)
+  // Where a loop in a face passes over an edge of walks elsewhere.
+  bool count_over(Index i, Index f)
   {
     const Triangle_surface& s = m_surface;
-    const Index e = step.halfedge;
+    const Index e = m_edges[i];
+    const auto& t = s.triangles[f];
+    if (m_signs.is_beside(s.source(e), s.target(e), t)) { return true; }
     const Weighted_point a = m_signs.vertex(s.source(e)), b = m_signs.vertex(s.target(e));
     const auto left = [&](const Weighted_point& from, const Weighted_point& to, const Weighted_point& q) {
       return m_signs.side(from, to, q) >= 0;
     };
-    const auto& t = s.triangles[f];
     const Weighted_point centre = m_signs.centre(t[0], t[1], t[2]);
     const bool centre_left = left(a, b, centre);
     for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      if (s.edge(h) == s.edge(e)) { continue; }
+      if (s.edge(h) == e) { continue; }
       // the same from both faces
       const Weighted_point middle =
         m_signs.middle(std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h)));
@@ -227,15 +241,16 @@ private:
       const int turn = middle_left ? 1 : -1; // from the centre outwards
       const int height = m_signs.volume(a, b, centre, middle, centre);
       if (height == 0) { return false; }
-      if (height * turn > 0) { m_linked[step.walk][s.edge(h)] += s.edge(h) == h ? turn : -turn; }
+      if (height * turn > 0) { m_over[i].emplace_back(s.edge(h), s.edge(h) == h ? turn : -turn); }
     }
     return true;
   }
 
   const Triangle_surface& m_surface;
   const Exact_signs& m_signs;
-  std::vector<Step> m_steps; // of all walks
-  std::vector<std::map<Index, int>> m_linked, m_crossed;
+  const std::vector<std::vector<Index>>& m_walks;
+  std::vector<Index> m_edges; // of all walks, sorted
+  std::vector<Flow> m_over;   // of each of them: what a loop counts that passes over it
 };
 
 } // namespace

@@ -4,7 +4,7 @@
 #include <meridian/base/Union_find.h>
 
 #include <algorithm>
-#include <iterator>
+#include <cstddef>
 #include <utility>
 
 namespace meridian {
@@ -30,12 +30,23 @@ Tree_cotree::Tree_cotree(const Triangle_surface& s) : m_surface(s), m_outside(s.
   }
   m_tour = walk_tree(around, around[m_outside].empty() ? 0 : m_outside, s.number_of_halfedges(),
                      [&](Index h) { return s.face(h); });
+  for (std::size_t i = 0; i < m_edges.size(); ++i)
+  {
+    const Index o = s.opposite[m_edges[i]];
+    m_visits.push_back({m_tour.enter[s.face(m_edges[i])], static_cast<Index>(i), 1});
+    m_visits.push_back({m_tour.enter[o < 0 ? m_outside : s.face(o)], static_cast<Index>(i), -1});
+  }
+  std::sort(m_visits.begin(), m_visits.end(), [](const Visit& a, const Visit& b) { return a.time < b.time; });
 }
 
-std::vector<int> Tree_cotree::integrate(const std::map<Index, int>& flow) const
+std::vector<int> Tree_cotree::integrate(const std::vector<std::pair<Index, int>>& flow) const
 {
+  std::vector<int> sums(m_edges.size(), 0);
   std::vector<std::pair<Index, int>> steps; // where on the tour of the faces' tree the sum changes
   for (const auto& [e, amount] : flow)
+  {
+    const auto own = std::lower_bound(m_edges.begin(), m_edges.end(), e);
+    if (own != m_edges.end() && *own == e) { sums[own - m_edges.begin()] += amount; }
     for (Index h : {e, m_surface.opposite[e]})
     {
       if (h < 0 || !m_tour.is_down[h]) { continue; } // down into the face of `h`
@@ -43,21 +54,14 @@ std::vector<int> Tree_cotree::integrate(const std::map<Index, int>& flow) const
       steps.emplace_back(m_tour.enter[m_surface.face(h)], into);
       steps.emplace_back(m_tour.leave[m_surface.face(h)], -into);
     }
+  }
   std::sort(steps.begin(), steps.end());
   int sum = 0;
-  for (auto& step : steps) { step.second = sum += step.second; }
-  const auto at = [&](Index face) {
-    auto after = std::upper_bound(steps.begin(), steps.end(), m_tour.enter[face],
-                                  [](Index t, const auto& step) { return t < step.first; });
-    return after == steps.begin() ? 0 : std::prev(after)->second;
-  };
-  std::vector<int> sums;
-  for (Index e : m_edges)
+  auto step = steps.begin();
+  for (const Visit& visit : m_visits)
   {
-    const auto own = flow.find(e);
-    const Index o = m_surface.opposite[e];
-    sums.push_back((own == flow.end() ? 0 : own->second) + at(m_surface.face(e))
-                   - at(o < 0 ? m_outside : m_surface.face(o)));
+    for (; step != steps.end() && step->first <= visit.time; ++step) { sum += step->second; }
+    sums[visit.edge] += visit.sign * sum;
   }
   return sums;
 }

@@ -122,15 +122,16 @@ BOOST_AUTO_TEST_CASE(cells_that_grow_come_to_every_gap_by_its_shortest_way)
     Gap_graph graph(curves);
     for (Index i = 0; i < curves.number_of_pairs(); ++i)
     {
+      const auto side = i % 2 == 0 ? Gap_graph::LEFT : Gap_graph::RIGHT;
       graph.clear();
-      for (Index x : curves.crossings(0)) { graph.start(graph.node(gap_beside(curves, x, true)), 0, 0); }
+      for (Index x : curves.crossings(0)) { graph.start(side, graph.node(gap_beside(curves, x, true))); }
       double farthest = std::numeric_limits<double>::infinity();
-      graph.grow(farthest, [](Index, Index, Index, double) { BOOST_ERROR("one cell touches no other"); });
+      graph.grow(farthest, [](Index, double) { BOOST_ERROR("one cell meets no other"); });
       const auto distances = distances_from(curves, 0);
       BOOST_TEST(distances.size() > static_cast<std::size_t>(s.number_of_halfedges()) / 2);
       for (const auto& [gap, distance] : distances)
       {
-        BOOST_TEST(graph.reached(graph.node(gap)).distance == distance, boost::test_tools::tolerance(1e-12));
+        BOOST_TEST(graph.distance_from(side, graph.node(gap)) == distance, boost::test_tools::tolerance(1e-12));
       }
       Crossing_loop_search search(curves);
       curves.add(2 * i + 1, search.find(2 * i).steps);

@@ -518,13 +518,13 @@ BOOST_DATA_TEST_CASE(tightened_meridians_keep_their_class, data::xrange(1, 7), g
       std::vector<std::vector<int>> all;
       for (Index c = 0; c < genus; ++c)
       {
-        std::map<Index, int> flow;
+        std::vector<std::pair<Index, int>> flow;
         for (Index x : curves.crossings(c)) // the walk along the vertices on its left
         {
           const Index from = s.target(curves[x].halfedge), to = s.target(curves[curves[x].next].halfedge);
           if (from == to) { continue; }
           const Index h = s.find_halfedge(from, to), g = h >= 0 ? h : s.find_halfedge(to, from);
-          flow[s.edge(g)] += s.source(s.edge(g)) == from ? 1 : -1;
+          flow.emplace_back(s.edge(g), s.source(s.edge(g)) == from ? 1 : -1);
         }
         all.push_back(basis.integrate(flow));
       }

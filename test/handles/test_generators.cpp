@@ -46,10 +46,10 @@ std::vector<std::vector<int>> classes(const Triangle_surface& s, const Generator
   for (const auto& pair : g.pairs)
     for (const auto* c : {&pair.meridian, &pair.longitude})
     {
-      std::map<Index, int> crossed;
+      std::vector<std::pair<Index, int>> crossed;
       for (Index h : internal::walk_on_root(s, g.surface, c->vertices))
       {
-        crossed[s.edge(h)] += s.edge(h) == h ? 1 : -1;
+        crossed.emplace_back(s.edge(h), s.edge(h) == h ? 1 : -1);
       }
       rows.push_back(trees.integrate(crossed));
     }

@@ -17,35 +17,33 @@
 namespace meridian {
 namespace internal {
 
-// The gaps between normal curves as nodes of a graph, and cells that grow in it: two nodes are neighbours, as far apart
-// as the middles of their gaps, if they lie on one region of a face. Nodes get numbers, and regions are traced, where
-// and when a search comes to them; both stay until curves change there.
+// The gaps between normal curves as nodes of a graph, and two cells that grow in it, from the two sides of something: two
+// nodes are neighbours, as far apart as the middles of their gaps, if they lie on one region of a face. Nodes get
+// numbers, and regions are traced, where and when a search comes to them; both stay until curves change there.
 class Gap_graph
 {
 public:
   using Node = Index;
-
-  // What the last search notes of a node.
-  struct Reached
+  enum Side : Index
   {
-    double distance = std::numeric_limits<double>::infinity(); // from its root
-    Node from = -1;                                            // the node before it; -1 where a cell begins
-    Index region = -1;                                         // that it was reached through
-    Index root = -1;                                           // of its cell
+    LEFT,
+    RIGHT
   };
 
-  explicit Gap_graph(const Normal_curves& curves)
-    : m_curves(curves), m_surface(curves.surface()), m_first(curves.surface().number_of_halfedges(), -1)
-  {}
+  explicit Gap_graph(const Normal_curves& curves);
   explicit Gap_graph(Normal_curves&& curves) = delete;
 
   // The node of a gap that lies inside the surface.
   Node node(const Gap& g);
-  const Gap& gap(Node n) const { return m_nodes[n].gap; }
+  Gap gap(Node n) const { return {m_nodes[n].edge, n - m_first[m_nodes[n].edge]}; }
   // The middle of the gap.
   const Point& point(Node n) const { return m_nodes[n].point; }
-  Index face(Index region) const { return m_members[region]; }
-  const Reached& reached(Node n) { return record(n); }
+
+  // What the last search found: how far a node is from where a cell begins, infinite if the cell did not come to it; the
+  // node before it on the shortest way from there, -1 where the cell begins; the face that the way crosses in between.
+  double distance_from(Side side, Node n) { return known(n).distance[side]; }
+  Node before(Side side, Node n) const { return m_nodes[n].arrival[side] >> 1; }
+  Index face_before(Side side, Node n) const { return m_members[m_nodes[n].regions[m_nodes[n].arrival[side] & 1]]; }
 
   // Forgets everything.
   void forget();
@@ -53,68 +51,72 @@ public:
   void forget_around(Index curve);
 
   // Begins another search.
-  void clear();
+  void clear() { ++m_run; }
 
-  // The cell of a root begins at a node, so far away from the root, unless another is nearer. Returns whether it does.
-  bool start(Node n, double distance, Index root) { return reach(n, {distance, -1, -1, root}); }
+  // The cell of a side begins at a node.
+  void start(Side side, Node n) { reach(known(n), side, n, 0, -1, true); }
 
-  // Grows all cells at once, none farther than `farthest` (Dijkstra's algorithm). Where two touch,
-  // `touch(n, to, region, length)` is told the nodes on the two sides, the region that they lie on, and how far their
-  // roots are apart that way; it may make `farthest` less. Of all ways between two cells' roots the shortest is told,
-  // if it is at most twice as long as `farthest`.
-  template <class Touch> void grow(double& farthest, const Touch& touch)
+  // Grows both cells, neither farther than `farthest` (delta-stepping, Meyer and Sanders 2003). Where they meet,
+  // `meet(n, length)` is told the node, and how long the way through it is from one beginning to the other; it may make
+  // `farthest` less. The shortest of all ways is told, if it is at most twice as long as `farthest`.
+  template <class Meet> void grow(double& farthest, const Meet& meet)
   {
-    m_queue.search([&](double d, Node n) {
-      if (d > farthest) { return true; }
-      if (d <= record(n).distance) { leave(n, farthest, touch); }
-      return false;
-    });
+    m_rings.search([&](Index label) { return m_nodes[label >> 1].distance[label & 1]; },
+                   [&](Index label) { leave(static_cast<Side>(label & 1), label >> 1, farthest, meet); });
   }
 
 private:
   struct alignas(64) Gap_node // one cache line
   {
     Point point;
-    Gap gap;
-    std::array<Index, 2> regions; // in the face of the edge, and on its other side
-    Reached reached;
-    std::uint32_t run; // the search that this belongs to
+    std::array<double, 2> distance; // from the two sides
+    std::array<Index, 2> arrival;   // twice the node before it, and 1 if it came through the second region; or -1
+    std::array<Index, 2> regions;   // in the face of the edge, and on its other side; -1 if not traced
+    Index edge;
+    std::uint32_t run; // the search that distances and arrivals belong to
   };
 
-  Reached& record(Node n)
+  Gap_node& known(Node n)
   {
     Gap_node& of = m_nodes[n];
-    if (std::exchange(of.run, m_run) != m_run) { of.reached = Reached{}; }
-    return of.reached;
+    if (std::exchange(of.run, m_run) != m_run)
+    {
+      of.distance.fill(std::numeric_limits<double>::infinity());
+      of.arrival.fill(-1);
+    }
+    return of;
   }
 
-  bool reach(Node n, const Reached& r)
+  bool reach(Gap_node& there, Side side, Node n, double distance, Index arrival, bool goes_on)
   {
-    Reached& old = record(n);
-    if (!(r.distance < old.distance)) { return false; }
-    old = r;
-    m_queue.reach(r.distance, n);
+    if (!(distance < there.distance[side])) { return false; }
+    there.distance[side] = distance;
+    there.arrival[side] = arrival;
+    if (goes_on) { m_rings.reach(distance, 2 * n + side); }
     return true;
   }
 
-  template <class Touch> void leave(Node n, const double& farthest, const Touch& touch)
+  template <class Meet> void leave(Side side, Node n, const double& farthest, const Meet& meet)
   {
-    const Reached here = record(n);
-    const Point from = point(n);
-    for (bool is_opposite : {false, true})
+    const double at = m_nodes[n].distance[side];
+    if (at > farthest) { return; }
+    const Point from = m_nodes[n].point;
+    const Index arrival = m_nodes[n].arrival[side];
+    for (Index is_opposite : {0, 1})
     {
-      const Index r = region(n, is_opposite);
-      if (r == here.region) { continue; } // what lies there was reached from where this was
-      const Index end = r + 2 + m_members[r + 1];
+      if (arrival >= 0 && (arrival & 1) == is_opposite) { continue; } // what lies there was reached from where this was
+      const Index r = region(n, is_opposite), end = r + 2 + m_members[r + 1];
       for (Index i = r + 2; i < end; ++i)
       {
         const Node to = m_members[i];
-        if (to == n) { continue; }
-        const Reached& there = record(to);
-        const double d = here.distance + distance(from, point(to));
-        const bool is_for_good = there.distance <= here.distance;
-        if (is_for_good && there.root != here.root && there.region != r) { touch(n, to, r, d + there.distance); }
-        if (d <= farthest) { reach(to, {d, n, r, here.root}); }
+        Gap_node& there = known(to);
+        const double d = at + distance(from, there.point);
+        const double opposite = there.distance[1 - side];
+        if (reach(there, side, to, d, 2 * n + (there.regions[0] != r), d <= farthest)
+            && opposite < std::numeric_limits<double>::infinity())
+        {
+          meet(to, d + opposite);
+        }
       }
     }
   }
@@ -131,7 +133,7 @@ private:
   std::vector<Index> m_members; // of each region: its face, how many nodes it has, and these
   std::size_t m_forgotten = 0;  // nodes that are no more
   std::uint32_t m_run = 0;
-  Nearest_first<Node> m_queue;
+  Distance_rings m_rings; // of labels: twice a node, and 1 for the right side
 };
 
 } // namespace internal

@@ -7,7 +7,6 @@
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/surface/Triangle_surface.h>
 
-#include <array>
 #include <limits>
 #include <vector>
 
@@ -51,17 +50,11 @@ public:
   void note_added(Index curve) { m_graph.forget_around(curve); }
 
 private:
-  enum Side : Index
-  {
-    LEFT,
-    RIGHT
-  };
-  // The shortest way known from one side to the other: two nodes on one region, reached from the two sides.
+  // The shortest way known from one side to the other, by a node on it.
   struct Way
   {
     double length = std::numeric_limits<double>::infinity();
-    std::array<Gap_graph::Node, 2> nodes{-1, -1};
-    Index region = -1;
+    Gap_graph::Node node = -1;
   };
 
   Way search(Index m);

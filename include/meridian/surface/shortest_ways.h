@@ -119,6 +119,7 @@ public:
         places.clear();
       }
     } while (take_far(distance_of));
+    m_first = 0;
   }
 
 private:

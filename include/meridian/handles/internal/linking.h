@@ -45,6 +45,18 @@ public:
   // Which side of the plane through line ab and the direction q lies on: 1 on the left, seen against the direction,
   // to which (e, e^2, 0) is added for an infinitely small e. 0 if and only if the three lie on a line.
   int side(const Weighted_point& a, const Weighted_point& b, const Weighted_point& q) const;
+  // Whether all corners of a face surely lie on the same side.
+  bool is_beside(Index a, Index b, const std::array<Index, 3>& face) const
+  {
+    int left = 0, right = 0;
+    for (Index v : face)
+    {
+      const double turn = 36 * cross(m_seen[a], m_seen[b], m_seen[v]); // as large as that of weighted points
+      left += turn > m_sure_side;
+      right += turn < -m_sure_side;
+    }
+    return left == 3 || right == 3;
+  }
   // The sign of the volume of (b - a, q - p, r - a).
   int volume(const Weighted_point& a, const Weighted_point& b, const Weighted_point& p, const Weighted_point& q,
              const Weighted_point& r) const;
@@ -56,6 +68,10 @@ private:
   static Seen sum(double weight, const Seen& a, const Seen& b = {0, 0}, const Seen& c = {0, 0})
   {
     return {weight * (a[0] + b[0] + c[0]), weight * (a[1] + b[1] + c[1])};
+  }
+  static double cross(const Seen& a, const Seen& b, const Seen& q)
+  {
+    return (b[0] - a[0]) * (q[1] - a[1]) - (b[1] - a[1]) * (q[0] - a[0]);
   }
   template <class N> std::array<N, 3> position(Index v) const
   {

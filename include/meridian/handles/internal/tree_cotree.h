@@ -6,7 +6,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
 
-#include <map>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -24,15 +24,23 @@ public:
   // The edges in neither tree: twice the genus, and one less than the boundary loops if there are any.
   const std::vector<Index>& edges() const { return m_edges; }
   // For each of `edges()`, the sum of a flow over its loop through faces, which crosses the edge from the face of its
-  // halfedge to the other and returns through the tree. `flow`: by halfedge `surface.edge(h)`, what crossing it from
-  // its own face counts.
-  std::vector<int> integrate(const std::map<Index, int>& flow) const;
+  // halfedge to the other and returns through the tree. `flow`: halfedges `surface.edge(h)`, each with
+  // what crossing it from its own face counts; what is said of one several times adds up.
+  std::vector<int> integrate(const std::vector<std::pair<Index, int>>& flow) const;
 
 private:
+  // When the tour comes to the face on one side of an edge.
+  struct Visit
+  {
+    Index time, edge; // by its place among `edges()`
+    int sign;
+  };
+
   const Triangle_surface& m_surface;
   Index m_outside; // the face beyond all boundary loops
   std::vector<Index> m_edges;
-  Euler_tour m_tour; // of the faces' tree; its steps are the halfedges by which a face is entered
+  std::vector<Visit> m_visits; // in order of time
+  Euler_tour m_tour;           // of the faces' tree; its steps are the halfedges by which a face is entered
 };
 
 } // namespace internal
