@@ -64,7 +64,7 @@ void find_bends(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_pa
 // is wanted.
 Taut_curve pull_loop(const Triangle_surface& s, const std::vector<Index>& halfedges)
 {
-  constexpr std::size_t turns = 5, middle = 2;
+  constexpr std::size_t turns = 3, middle = 1;
   const std::size_t n = halfedges.size();
   Sleeve sleeve;
   sleeve.start = s.apex(halfedges.front());
