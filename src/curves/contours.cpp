@@ -7,8 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <iterator>
-#include <set>
+#include <queue>
 #include <utility>
 
 namespace meridian {
@@ -151,17 +152,18 @@ Contour find_tightest_contour(const Ordered_surface& m, const Contour& loop, con
   for (const bool up : {true, false})
   {
     // The nodes that the contour passes one after the other, up to the first critical one.
-    std::set<Index> next; // ranks, or below the contour their opposites
+    std::priority_queue<Index, std::vector<Index>, std::greater<Index>> next; // ranks, or below their opposites
     const auto reach = [&](Index v) {
       const Index r = m.rank[v];
-      if (up ? r > loop.level : r <= loop.level) { next.insert(up ? r : -r); }
+      if (up ? r > loop.level : r <= loop.level) { next.push(up ? r : -r); }
     };
     for (Index h : loop.halfedges) { reach(up ? m.surface.target(h) : m.surface.source(h)); }
     std::vector<Index> passed;
     while (!next.empty())
     {
-      const Index r = up ? *next.begin() : -*next.begin(), node = m.order.nodes[r];
-      next.erase(next.begin());
+      const Index r = up ? next.top() : -next.top(), node = m.order.nodes[r];
+      next.pop();
+      if (!passed.empty() && r == passed.back()) { continue; } // it was reached from several sides
       if (is_critical[node]) { break; }
       passed.push_back(r);
       for_each_around_node(m.surface, m.graph.representative[node], [&](Index h) {

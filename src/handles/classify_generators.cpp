@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <future>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -41,18 +42,42 @@ Loop_class class_of(const internal::Sides& s)
 
 } // namespace
 
-std::vector<Loop_class> classify_loops(const Triangle_surface& root, const std::vector<std::vector<Index>>& walks)
+namespace {
+
+std::future<bool> begin_search(const Triangle_surface& root)
+{
+  return std::async(std::launch::async, [&root] { return does_self_intersect(root); });
+}
+
+std::vector<Loop_class> classify(const Triangle_surface& root, const std::vector<std::vector<Index>>& walks,
+                                 std::future<bool> meets_itself)
 {
   std::vector<Loop_class> classes(walks.size(), Loop_class::UNKNOWN);
-  if (walks.empty() || !boundary_loops(root).empty()) { return classes; }
-  auto meets_itself = std::async(std::launch::async, [&] { return does_self_intersect(root); });
   const std::vector<internal::Sides> sides = internal::find_bounding_sides(root, walks);
   if (meets_itself.get() || sides.empty()) { return classes; }
   std::transform(sides.begin(), sides.end(), classes.begin(), class_of);
   return classes;
 }
 
+} // namespace
+
+std::vector<Loop_class> classify_loops(const Triangle_surface& root, const std::vector<std::vector<Index>>& walks)
+{
+  if (walks.empty() || !boundary_loops(root).empty())
+  {
+    return std::vector<Loop_class>(walks.size(), Loop_class::UNKNOWN);
+  }
+  return classify(root, walks, begin_search(root));
+}
+
 void classify_generators(const Triangle_surface& root, Generators& generators, Progress_observer* observer)
+{
+  if (generators.pairs.empty() || generators.boundary_loops > 0) { return; }
+  classify_generators(root, generators, begin_search(root), observer);
+}
+
+void classify_generators(const Triangle_surface& root, Generators& generators, std::future<bool> meets_itself,
+                         Progress_observer* observer)
 {
   if (generators.pairs.empty() || generators.boundary_loops > 0) { return; }
   const Stage_runner run{observer, generators.seconds};
@@ -65,7 +90,7 @@ void classify_generators(const Triangle_surface& root, Generators& generators, P
         curves.push_back(c);
         walks.push_back(internal::walk_on_root(root, generators.surface, c->vertices));
       }
-    const std::vector<Loop_class> classes = classify_loops(root, walks);
+    const std::vector<Loop_class> classes = classify(root, walks, std::move(meets_itself));
     for (std::size_t i = 0; i < curves.size(); ++i) { curves[i]->loop_class = classes[i]; }
   });
 }

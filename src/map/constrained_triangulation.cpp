@@ -6,11 +6,11 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 namespace meridian {
@@ -21,8 +21,13 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-using Structure =
-  CGAL::Triangulation_data_structure_2<Vertex_base, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+struct Mark
+{
+  bool is_seen = false;
+};
+using Face_base =
+  CGAL::Triangulation_face_base_with_info_2<Mark, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Structure = CGAL::Triangulation_data_structure_2<Vertex_base, Face_base>;
 using Triangulation =
   CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::No_constraint_intersection_tag>;
 
@@ -60,9 +65,8 @@ std::vector<std::array<Index, 3>> triangulate_outside(const std::vector<Index>& 
 
   // The ring is what a walk from the box reaches without crossing the polygon.
   std::vector<Triangulation::Face_handle> stack;
-  std::set<Triangulation::Face_handle> seen;
   const auto visit = [&](Triangulation::Face_handle f) {
-    if (!triangulation.is_infinite(f) && seen.insert(f).second) { stack.push_back(f); }
+    if (!triangulation.is_infinite(f) && !std::exchange(f->info().is_seen, true)) { stack.push_back(f); }
   };
   auto around = triangulation.incident_faces(triangulation.infinite_vertex()), first = around;
   do {

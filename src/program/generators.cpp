@@ -16,6 +16,7 @@
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
+#include <meridian/base/run_both.h>
 #include <meridian/base/vectors.h>
 #include <meridian/handles/Generators.h>
 #include <meridian/handles/classify_generators.h>
@@ -29,9 +30,12 @@
 #include <meridian/surface/examine_surface.h>
 
 #include <chrono>
+#include <future>
 #include <iostream>
 #include <memory>
 #include <sstream>
+#include <string>
+#include <utility>
 
 namespace meridian {
 namespace program {
@@ -149,6 +153,13 @@ std::string format_view(const std::string& title, const Examination& examination
                            assembled);
 }
 
+// Begins to search for self-intersections, where classes are told.
+std::future<bool> begin_self_intersections(const Surface_component& c)
+{
+  if (c.genus() == 0 || c.boundary_loops > 0) { return {}; }
+  return std::async(std::launch::async, [&c] { return does_self_intersect(c.surface); });
+}
+
 // Finds pairs on every component.
 Outcome find_pairs(const Generator_arguments& arguments, const Loaded_mesh& loaded, Terminal& terminal)
 {
@@ -163,8 +174,10 @@ Outcome find_pairs(const Generator_arguments& arguments, const Loaded_mesh& load
   for (std::size_t i = 0; i < examination.components.size(); ++i)
   {
     terminal.begin_component(i, examination.components.size());
-    all.push_back(find_generators(examination.components[i].surface, options[i]));
-    classify_generators(examination.components[i].surface, all.back(), &terminal);
+    const Surface_component& component = examination.components[i];
+    std::future<bool> meets_itself = begin_self_intersections(component); // beside what follows
+    all.push_back(find_generators(component.surface, options[i]));
+    classify_generators(component.surface, all.back(), std::move(meets_itself), &terminal);
   }
   Outcome outcome = conclude(loaded.soup, examination, all, terminal);
   int handles = 0;
@@ -244,9 +257,13 @@ int run_generators(const Generator_arguments& arguments)
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   if (verification)
   {
-    out.add(arguments.out, files::format_mesh_with_curves(outcome.assembled.mesh, outcome.curves));
-    out.add(files::map_path(arguments.out, arguments.map),
-            files::format_map(outcome.assembled.mesh, files::Result_kind::GENERATORS, arguments.map, outcome.curves));
+    const Result_mesh& mesh = outcome.assembled.mesh;
+    std::string refined, map;
+    internal::run_both(
+      [&] { map = files::format_map(mesh, files::Result_kind::GENERATORS, arguments.map, outcome.curves); },
+      [&] { refined = files::format_mesh_with_curves(mesh, outcome.curves); });
+    out.add(arguments.out, refined);
+    out.add(files::map_path(arguments.out, arguments.map), map);
     if (!arguments.curves.empty()) { out.add(arguments.curves, format_curves(outcome)); }
     if (!arguments.view.empty()) { out.add(arguments.view, outcome.view); }
   }

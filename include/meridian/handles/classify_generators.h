@@ -7,6 +7,7 @@
 #include <meridian/handles/Generators.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <future>
 #include <vector>
 
 namespace meridian {
@@ -48,6 +49,14 @@ std::vector<Loop_class> classify_loops(const Triangle_surface& root, const std::
  * one search for self-intersections, and for each edge of a curve the faces above and below it
  */
 void classify_generators(const Triangle_surface& root, Generators& generators, Progress_observer* observer = nullptr);
+
+/// \ingroup PkgMeridianGenerators
+/// the same, where the search for self-intersections has been begun before: it needs nothing but the surface, and can run
+/// beside the search for generators.
+/// \param root, generators, observer as above
+/// \param meets_itself what `does_self_intersect(root)` returns; it is waited for if the surface is closed and has genus
+void classify_generators(const Triangle_surface& root, Generators& generators, std::future<bool> meets_itself,
+                         Progress_observer* observer = nullptr);
 
 } // namespace meridian
 
