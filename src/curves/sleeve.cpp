@@ -24,15 +24,26 @@ void trim(const Triangle_surface& s, Sleeve& sleeve)
 
 namespace {
 
-// The third corner of a triangle whose side runs from a to b (both known), to the left or to the right of it.
-Point_2 third_corner(const Triangle_surface& s, const std::array<Index, 3>& v, const Point_2& a, const Point_2& b,
-                     double side)
+// A corner of a triangle, seen from the side across: how long that is, how far along it and how high the corner lies.
+struct Corner_over_side
 {
-  const Point ab = s.points[v[1]] - s.points[v[0]], ac = s.points[v[2]] - s.points[v[0]];
+  double length, along, height;
+};
+
+Corner_over_side corner_over_side(const Triangle_surface& s, Index from, Index to, Index corner)
+{
+  const Point ab = s.points[to] - s.points[from], ac = s.points[corner] - s.points[from];
   const double l = norm(ab);
-  if (!(l > 0)) { return {a[0], a[1] + side * norm(ac)}; }
-  const double x = dot(ab, ac) / l, y = side * norm(cross(ab, ac)) / l;
-  const Point_2 u{(b[0] - a[0]) / l, (b[1] - a[1]) / l};
+  if (!(l > 0)) { return {0, 0, norm(ac)}; }
+  return {l, dot(ab, ac) / l, norm(cross(ab, ac)) / l};
+}
+
+// Where the corner lies, to the left (`side` is 1) or to the right (-1) of the side from a to b.
+Point_2 place(const Corner_over_side& c, const Point_2& a, const Point_2& b, double side)
+{
+  if (!(c.length > 0)) { return {a[0], a[1] + side * c.height}; }
+  const double x = c.along, y = side * c.height;
+  const Point_2 u{(b[0] - a[0]) / c.length, (b[1] - a[1]) / c.length};
   return {a[0] + x * u[0] - y * u[1], a[1] + x * u[1] + y * u[0]};
 }
 
@@ -40,7 +51,10 @@ Point_2 third_corner(const Triangle_surface& s, const std::array<Index, 3>& v, c
 class Funnel
 {
 public:
-  Funnel(const Triangle_surface& s, const Sleeve& sleeve) : m_surface(s), m_sleeve(sleeve) {}
+  // `turn`: after how many portals the sleeve comes again, or all of them.
+  Funnel(const Triangle_surface& s, const Sleeve& sleeve, std::size_t turn)
+    : m_surface(s), m_sleeve(sleeve), m_turn(turn)
+  {}
 
   Pulled_path pull()
   {
@@ -52,20 +66,43 @@ public:
 
 private:
   using Corner = Pulled_path::Corner;
+  enum class Bend
+  {
+    NONE,
+    LEFT,
+    RIGHT
+  };
+  // A side of the funnel: the portal whose end it goes to.
+  struct Side
+  {
+    std::size_t portal;
+    Point_2 at;
+    bool is_apex;
+  };
 
   // Lays the portals out in the plane, one triangle after the other.
   void unfold()
   {
     const Triangle_surface& s = m_surface;
+    std::vector<Corner_over_side> corners; // behind each portal of the first turn
+    corners.reserve(m_turn);
+    for (std::size_t i = 0; i < m_turn; ++i)
+    {
+      const Index h = m_sleeve.halfedges[i];
+      corners.push_back(corner_over_side(s, s.source(h), s.target(h), s.apex(s.opposite[h])));
+    }
     const std::size_t n = m_sleeve.halfedges.size();
+    for (auto* points : {&m_path.left, &m_path.right}) { points->reserve(n); }
+    for (auto* firsts : {&m_first_left, &m_first_right}) { firsts->reserve(n); }
     const Index h0 = m_sleeve.halfedges.front();
     m_path.right.push_back({0, 0});
     m_path.left.push_back({s.length(h0), 0});
-    m_start = third_corner(s, {s.source(h0), s.target(h0), m_sleeve.start}, m_path.right[0], m_path.left[0], 1);
+    m_start =
+      place(corner_over_side(s, s.source(h0), s.target(h0), m_sleeve.start), m_path.right[0], m_path.left[0], 1);
     for (std::size_t i = 0; i < n; ++i)
     {
-      const Index h = m_sleeve.halfedges[i], o = s.opposite[h];
-      const Point_2 c = third_corner(s, {s.source(h), s.target(h), s.apex(o)}, m_path.right[i], m_path.left[i], -1);
+      const Index o = s.opposite[m_sleeve.halfedges[i]];
+      const Point_2 c = place(corners[i % m_turn], m_path.right[i], m_path.left[i], -1);
       if (i + 1 == n)
       {
         m_end = c;
@@ -95,9 +132,9 @@ private:
     restart({m_sleeve.start, true, 0, 0, m_start});
     for (std::size_t i = 0; i <= n; ++i)
     {
-      const Corner* bend = i == n ? bend_before_end() : narrow(i);
-      if (bend == nullptr) { continue; }
-      restart(Corner(*bend));
+      const Bend bend = i == n ? bend_before_end() : narrow(i);
+      if (bend == Bend::NONE) { continue; }
+      restart(bend == Bend::LEFT ? left_of(m_left.portal) : right_of(m_right.portal));
       i = m_apex.portal; // the loop goes on with the portal after it
     }
     m_path.corners.push_back({m_sleeve.end, true, n, n, m_end});
@@ -106,43 +143,42 @@ private:
   void restart(const Corner& bend)
   {
     m_path.corners.push_back(bend);
-    m_apex = m_left = m_right = bend;
-    m_left_is_apex = m_right_is_apex = true;
+    m_apex = bend;
+    m_left = m_right = {bend.portal, bend.at, true};
   }
 
-  const Corner* bend_before_end() const
+  Bend bend_before_end() const
   {
-    if (!m_right_is_apex && turn(m_apex.at, m_right.at, m_end) < 0) { return &m_right; }
-    if (!m_left_is_apex && turn(m_apex.at, m_left.at, m_end) > 0) { return &m_left; }
-    return nullptr;
+    if (!m_right.is_apex && turn(m_apex.at, m_right.at, m_end) < 0) { return Bend::RIGHT; }
+    if (!m_left.is_apex && turn(m_apex.at, m_left.at, m_end) > 0) { return Bend::LEFT; }
+    return Bend::NONE;
   }
 
-  // Narrows the funnel to portal `i`. If that lies all on one side of it, returns the corner where the path bends.
-  const Corner* narrow(std::size_t i)
+  // Narrows the funnel to portal `i`. If that lies all on one side of it, says on which the path bends.
+  Bend narrow(std::size_t i)
   {
-    const Corner r = right_of(i), l = left_of(i);
+    const Point_2 &r = m_path.right[i], &l = m_path.left[i];
     const bool is_bend = m_path.corners.size() > 1;
-    if (m_right_is_apex || turn(m_apex.at, m_right.at, r.at) >= 0)
+    if (m_right.is_apex || turn(m_apex.at, m_right.at, r) >= 0)
     {
-      if (!m_right_is_apex && !m_left_is_apex && turn(m_apex.at, m_left.at, r.at) >= 0) { return &m_left; }
-      m_right = r;
-      m_right_is_apex = is_bend && !m_apex.is_left && r.first == m_apex.first;
+      if (!m_right.is_apex && !m_left.is_apex && turn(m_apex.at, m_left.at, r) >= 0) { return Bend::LEFT; }
+      m_right = {i, r, is_bend && !m_apex.is_left && m_first_right[i] == m_apex.first};
     }
-    if (m_left_is_apex || turn(m_apex.at, m_left.at, l.at) <= 0)
+    if (m_left.is_apex || turn(m_apex.at, m_left.at, l) <= 0)
     {
-      if (!m_left_is_apex && !m_right_is_apex && turn(m_apex.at, m_right.at, l.at) <= 0) { return &m_right; }
-      m_left = l;
-      m_left_is_apex = is_bend && m_apex.is_left && l.first == m_apex.first;
+      if (!m_left.is_apex && !m_right.is_apex && turn(m_apex.at, m_right.at, l) <= 0) { return Bend::RIGHT; }
+      m_left = {i, l, is_bend && m_apex.is_left && m_first_left[i] == m_apex.first};
     }
-    return nullptr;
+    return Bend::NONE;
   }
 
-  // Finds where the path crosses the portals between its corners.
+  // Finds where the path crosses the portals between its corners, in the middle turn.
   void find_fractions()
   {
     const auto& corners = m_path.corners;
+    const std::size_t first = m_sleeve.halfedges.size() / m_turn / 2 * m_turn;
     std::size_t k = 1;
-    for (std::size_t i = 0; i < m_sleeve.halfedges.size(); ++i)
+    for (std::size_t i = first; i < first + m_turn; ++i)
     {
       while (k + 1 < corners.size() && corners[k].portal < i) { ++k; }
       const Corner &a = corners[k - 1], &b = corners[k];
@@ -166,17 +202,31 @@ private:
 
   const Triangle_surface& m_surface;
   const Sleeve& m_sleeve;
+  const std::size_t m_turn;
   Pulled_path m_path;
   Point_2 m_start{0, 0}, m_end{0, 0};
   // Of each portal: the first with the same end. A closed sleeve comes to a vertex again; that is another end.
   std::vector<std::size_t> m_first_left{0}, m_first_right{0};
-  Corner m_apex, m_left, m_right;
-  bool m_left_is_apex = true, m_right_is_apex = true;
+  Corner m_apex{};
+  Side m_left{}, m_right{};
 };
 
 } // namespace
 
-Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve) { return Funnel(s, sleeve).pull(); }
+Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
+{
+  return Funnel(s, sleeve, sleeve.halfedges.size()).pull();
+}
+
+Pulled_path pull_closed(const Triangle_surface& s, const std::vector<Index>& halfedges)
+{
+  Sleeve sleeve{s.apex(halfedges.front()), s.apex(s.opposite[halfedges.back()]), {}};
+  for (std::size_t i = 0; i < turns_of_closed_sleeve; ++i)
+  {
+    sleeve.halfedges.insert(sleeve.halfedges.end(), halfedges.begin(), halfedges.end());
+  }
+  return Funnel(s, sleeve, halfedges.size()).pull();
+}
 
 double angle(const Point_2& at, const Point_2& p, const Point_2& q)
 {

@@ -32,22 +32,22 @@ struct Taut_curve
 };
 
 // Appends the bends of a pulled path at vertices inside the surface. Of a closed curve the strip is several turns long:
-// `period` crossings are one turn, and bends are taken from the turn that begins at `from`.
-void find_bends(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_path& path, std::size_t from,
-                std::size_t period, bool closed, Taut_curve& curve)
+// bends are taken from the middle one.
+void find_bends(const Triangle_surface& s, const std::vector<Index>& halfedges, const Pulled_path& path, bool closed,
+                Taut_curve& curve)
 {
+  const std::size_t period = halfedges.size(), turns = closed ? turns_of_closed_sleeve : 1, from = turns / 2 * period,
+                    size = turns * period;
+  const auto halfedge = [&](std::size_t i) { return halfedges[i % period]; };
   constexpr double straight = 3.141592653589793 - 1e-6;
   for (std::size_t k = 1; k + 1 < path.corners.size(); ++k)
   {
     const auto& corner = path.corners[k];
     if (corner.portal < from || corner.portal >= from + period || s.is_boundary_vertex(corner.vertex)) { continue; }
     std::size_t begin = corner.portal, end = corner.portal + 1;
-    while (begin > 0 && end - begin < period && touches(s, sleeve.halfedges[begin - 1], corner.vertex)) { --begin; }
-    while (end < sleeve.halfedges.size() && end - begin < period && touches(s, sleeve.halfedges[end], corner.vertex))
-    {
-      ++end;
-    }
-    if (closed && (end - begin >= period || begin == 0 || end == sleeve.halfedges.size())) { continue; }
+    while (begin > 0 && end - begin < period && touches(s, halfedge(begin - 1), corner.vertex)) { --begin; }
+    while (end < size && end - begin < period && touches(s, halfedge(end), corner.vertex)) { ++end; }
+    if (closed && (end - begin >= period || begin == 0 || end == size)) { continue; }
     const auto rim = [&](std::size_t i) { return corner.is_left ? path.right[i] : path.left[i]; };
     double around = 0, inside = angle(corner.at, path.corners[k - 1].at, rim(begin))
                                 + angle(corner.at, path.corners[k + 1].at, rim(end - 1));
@@ -60,30 +60,19 @@ void find_bends(const Triangle_surface& s, const Sleeve& sleeve, const Pulled_pa
   }
 }
 
-// The strip of a closed curve is unrolled several times over and pulled between its far ends; the middle turn is what
-// is wanted.
 Taut_curve pull_loop(const Triangle_surface& s, const std::vector<Index>& halfedges)
 {
-  constexpr std::size_t turns = 3, middle = 1;
-  const std::size_t n = halfedges.size();
-  Sleeve sleeve;
-  sleeve.start = s.apex(halfedges.front());
-  sleeve.end = s.apex(s.opposite[halfedges.back()]);
-  for (std::size_t i = 0; i < turns; ++i)
-  {
-    sleeve.halfedges.insert(sleeve.halfedges.end(), halfedges.begin(), halfedges.end());
-  }
-  const Pulled_path path = pull(s, sleeve);
+  const Pulled_path path = pull_closed(s, halfedges);
   Taut_curve loop;
-  loop.fraction.assign(path.fraction.begin() + middle * n, path.fraction.begin() + (middle + 1) * n);
-  Point last = s.point_on(halfedges[n - 1], loop.fraction[n - 1]);
-  for (std::size_t i = 0; i < n; ++i)
+  loop.fraction = path.fraction;
+  Point last = s.point_on(halfedges.back(), loop.fraction.back());
+  for (std::size_t i = 0; i < halfedges.size(); ++i)
   {
     const Point p = s.point_on(halfedges[i], loop.fraction[i]);
     loop.length += distance(last, p);
     last = p;
   }
-  find_bends(s, sleeve, path, middle * n, n, true, loop);
+  find_bends(s, halfedges, path, true, loop);
   return loop;
 }
 
@@ -101,7 +90,7 @@ Taut_curve pull_open(const Triangle_surface& s, const Sleeve& sleeve)
     last = p;
   }
   curve.length += distance(last, s.points[sleeve.end]);
-  find_bends(s, sleeve, path, 0, sleeve.halfedges.size(), false, curve);
+  find_bends(s, sleeve.halfedges, path, false, curve);
   return curve;
 }
 

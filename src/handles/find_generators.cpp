@@ -154,7 +154,9 @@ public:
   void add_longitudes()
   {
     std::unique_ptr<Flow_longitudes> flow;
-    if (m_options.flow && !m_filled)
+    // With more handles a field is solved on a patch for each, and hardly a loop found there outlives tightening.
+    const bool is_worth_it = genus() <= Flow_longitudes::few || !m_options.tighten;
+    if (m_options.flow && !m_filled && is_worth_it)
     {
       flow = std::make_unique<Flow_longitudes>(m_root, m_ordered, m_complex, m_curves, m_saddles,
                                                m_options.tighten ? 1.02 : 1.25, m_options.solvers);

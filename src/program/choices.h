@@ -63,7 +63,8 @@ template <> struct Names<program::Basis>
 template <> struct Names<program::Longitudes>
 {
   static constexpr std::array<Named_value<program::Longitudes>, 2> table{{
-    {program::Longitudes::FLOW, "flow", "of flow lines where these serve"},
+    {program::Longitudes::FLOW, "flow",
+     "of flow lines where these serve; of more than eight handles with --no-tighten alone"},
     {program::Longitudes::ARC, "arc", "shortest arcs at once"},
   }};
 };

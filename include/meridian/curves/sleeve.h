@@ -52,6 +52,11 @@ struct Pulled_path
 // Unfolds the sleeve and pulls the path tight with a funnel (Lee, Preparata 1984).
 Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve);
 
+// The same for a strip that ends where it begins. It is unrolled several times over and pulled between its far ends; of
+// the fractions there are those of the middle turn, which is what is wanted.
+constexpr std::size_t turns_of_closed_sleeve = 3;
+Pulled_path pull_closed(const Triangle_surface& s, const std::vector<Index>& halfedges);
+
 double angle(const Point_2& at, const Point_2& p, const Point_2& q);
 
 // Where a sleeve may go: which halfedges it may cross, and which vertices its path may pass through.

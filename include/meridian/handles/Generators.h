@@ -24,7 +24,8 @@ struct Generator_options : Field_options, Meridian_options
 {
   bool is_open = false;                  ///< whether the field's boundary is free, so that level lines may end there
   bool keep_complex = false;             ///< whether the quasi Morse-Smale complex of the field is kept
-  bool flow = true;                      ///< whether longitudes are sought among flow lines first
+  bool flow = true;                      ///< whether longitudes are sought among flow lines first; of a surface with
+                                         ///< more than eight handles, if they are not tightened
   bool tighten = true;                   ///< whether the curves are shortened within their classes
   Tighten_options tightening;            ///< and when that ends
   Solvers solvers;                       ///< of the fields

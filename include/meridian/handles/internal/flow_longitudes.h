@@ -33,8 +33,9 @@ public:
   // Adds a longitude of flow lines for pair `i`, if there is one that is not much longer than the arc found for it.
   bool add(Index i, const Crossing_loop& arc, Generator_pair& pair);
 
+  static constexpr int few = 8; // handles for which fields are solved on the whole surface
+
 private:
-  static constexpr int few = 8;           // handles for which fields are solved on the whole surface
   static constexpr double reach = 0.3;    // of a patch, in lengths of the arc
   static constexpr std::size_t share = 4; // of all patches together, in faces of the surface, at most
 
