@@ -95,7 +95,7 @@ std::vector<double> find_shortest_ways(Index elements, const std::vector<std::pa
 class Distance_rings
 {
 public:
-  explicit Distance_rings(double width) : m_width(width > 0 ? width : 1) {}
+  explicit Distance_rings(double width) : m_rings_per_length(width > 0 ? 1 / width : 1) {}
 
   void reach(double distance, Index place)
   {
@@ -123,7 +123,7 @@ public:
   }
 
 private:
-  std::uint64_t ring_of(double distance) const { return static_cast<std::uint64_t>(distance / m_width); }
+  std::uint64_t ring_of(double distance) const { return static_cast<std::uint64_t>(distance * m_rings_per_length); }
 
   // Goes on at the innermost of what is far. Returns false if there is nothing.
   template <class Distance_of> bool take_far(const Distance_of& distance_of)
@@ -140,7 +140,7 @@ private:
     return true;
   }
 
-  double m_width;
+  double m_rings_per_length;
   std::uint64_t m_first = 0; // the innermost ring that is near
   std::array<std::vector<Index>, 256> m_near;
   std::vector<Index> m_far;
