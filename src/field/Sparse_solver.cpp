@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/field/Sparse_solver.h>
 
-#include <Eigen/Sparse>
 #ifdef MERIDIAN_HAS_CHOLMOD
-#include <Eigen/CholmodSupport>
+#include "Cholmod_solver.h"
 #endif
+
+#include <Eigen/Sparse>
 
 #include <algorithm>
 #include <numeric>
@@ -65,33 +66,22 @@ public:
     return m_solver.info() == Eigen::Success;
   }
 
-protected:
-  Solver m_solver;
-
 private:
+  Solver m_solver;
   Matrix m_matrix, m_last; // and that of the last factorization
   bool m_is_ordered = false;
 };
 
-#ifdef MERIDIAN_HAS_CHOLMOD
-class Symmetric_solver : public Eigen_solver<Eigen::CholmodSupernodalLLT<Matrix, Eigen::Lower>, true>
-{
-public:
-  Symmetric_solver()
-  {
-    auto& common = m_solver.cholmod();
-    common.nmethods = 1;
-    common.method[0].ordering = CHOLMOD_AMD;
-    common.print = 0;
-  }
-};
-#else
-using Symmetric_solver = Eigen_solver<Eigen::SimplicialLDLT<Matrix, Eigen::Lower>, true>;
-#endif
-
 } // namespace
 
-std::unique_ptr<Sparse_solver> make_symmetric_solver() { return std::make_unique<Symmetric_solver>(); }
+std::unique_ptr<Sparse_solver> make_symmetric_solver()
+{
+#ifdef MERIDIAN_HAS_CHOLMOD
+  return internal::make_cholmod_solver();
+#else
+  return std::make_unique<Eigen_solver<Eigen::SimplicialLDLT<Matrix, Eigen::Lower>, true>>();
+#endif
+}
 
 std::unique_ptr<Sparse_solver> make_general_solver()
 {

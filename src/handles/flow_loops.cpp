@@ -23,7 +23,7 @@ namespace internal {
 
 namespace {
 
-// The faces within a distance of some others, sorted . Empty if there are more than `most`.
+// The faces within a distance of some others, sorted. Empty if there are more than `most`.
 std::vector<Index> find_faces_within(const Triangle_surface& s, const std::vector<Index>& faces, double reach,
                                      std::size_t most)
 {

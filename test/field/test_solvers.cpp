@@ -149,6 +149,44 @@ BOOST_AUTO_TEST_CASE(a_factorization_is_made_anew_for_other_values_and_other_pla
   }
 }
 
+// Each unknown becomes two, as the coordinates of a point: side by side, as pairs with the same neighbours, or the second
+// ones after all first; or side by side with one place more, so that they are pairs no longer.
+BOOST_AUTO_TEST_CASE(unknowns_in_pairs_are_solved_for_as_others_are)
+{
+  const auto s = sample::torus(12, 9);
+  const auto g = make_closed_model(s);
+  const auto a = laplacian(g, all_but_first(g), [](Index) { return 1.; });
+  const Index n = a.rows();
+  enum class Numbers
+  {
+    SIDE_BY_SIDE,
+    ONE_AFTER_THE_OTHER,
+    NOT_QUITE_PAIRS
+  };
+  for (Numbers numbers : {Numbers::SIDE_BY_SIDE, Numbers::ONE_AFTER_THE_OTHER, Numbers::NOT_QUITE_PAIRS})
+  {
+    const bool is_apart = numbers == Numbers::ONE_AFTER_THE_OTHER;
+    Sparse_matrix both;
+    for (Index at = 0; at < 2 * n; ++at)
+    {
+      const Index i = is_apart ? at % n : at / 2, k = is_apart ? at / n : at % 2;
+      for (Index e = a.begin(i); e < a.end(i); ++e)
+        for (Index l : {0, 1})
+        {
+          both.add(is_apart ? l * n + a.column(e) : 2 * a.column(e) + l, (k == l ? 1 : 0.25) * a.value(e));
+        }
+      if (numbers == Numbers::NOT_QUITE_PAIRS && (at == 0 || at == 2 * n - 1)) { both.add(2 * n - 1 - at, 0.125); }
+      both.end_row();
+    }
+    const auto x = some_numbers(2 * n, 5), b = product(both, x);
+    const auto solver = make_symmetric_solver();
+    for (int times = 0; times < 2; ++times) // the second time nothing is ordered
+    {
+      BOOST_TEST(largest_difference(solution_of(*solver, both, b), x) < 1e-11);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(small_systems_are_solved_directly_and_large_ones_level_by_level)
 {
   for (const Index n : {Index(20), side, halved_side})

@@ -265,6 +265,21 @@ BOOST_AUTO_TEST_CASE(distances_by_rings_are_those_of_a_heap)
   }
 }
 
+// A search leaves nothing behind: places come in the same order again, near and far.
+BOOST_AUTO_TEST_CASE(rings_of_distance_can_be_searched_again)
+{
+  internal::Distance_rings rings(1);
+  const std::vector<double> at{0.5, 3.5, 300.5, 2000.5};
+  for (const Index first : {3, 0, 2, 1})
+  {
+    std::vector<Index> come;
+    for (Index i = first; i < 4; ++i) { rings.reach(at[i], i); }
+    rings.search([&](Index place) { return at[place]; }, [&](Index place) { come.push_back(place); });
+    BOOST_TEST(come.size() == static_cast<std::size_t>(4 - first));
+    BOOST_TEST(std::is_sorted(come.begin(), come.end()));
+  }
+}
+
 // Theorem (Tarjan, Vishkin 1985): what hangs below a node of a tree is what is entered while the walk is below it.
 BOOST_AUTO_TEST_CASE(a_walk_round_a_tree_is_below_a_node_while_it_has_entered_it)
 {

@@ -21,7 +21,7 @@ struct Distortion_options
 {
   int iterations = 100; ///< at most
   /// it ends when no more than this part of the energy can be gained by a step
-  double least_gain = 5e-4;
+  double least_gain = 1e-3;
   bool has_free_border = true;                     ///< whether the border may move
   Make_solver make_solver = make_symmetric_solver; ///< makes the solver of each step
 };
