@@ -304,6 +304,22 @@ BOOST_AUTO_TEST_CASE(longitudes_of_flow_lines_are_monotone_in_the_field_they_nam
   BOOST_TEST(made > 0);
 }
 
+// Tightened, one loop of flow lines on the larger surface would be short enough to be taken.
+BOOST_AUTO_TEST_CASE(of_many_handles_flow_lines_are_sought_where_nothing_is_tightened)
+{
+  for (const bool tighten : {true, false})
+    for (const bool is_large : {false, true})
+    {
+      Generator_options options;
+      options.tighten = tighten;
+      const Triangle_surface s =
+        is_large ? sample::noisy(sample::plate(16, 1), 0.4, 3) : sample::noisy(sample::plate(4, 1), 0.1, 1);
+      const Generators g = pipeline::generators(s, options);
+      const bool any = std::any_of(g.pairs.begin(), g.pairs.end(), [](const auto& p) { return p.longitude.was_flow; });
+      BOOST_TEST(any == (!is_large || !tighten), "large: " << is_large << ", tightened: " << tighten);
+    }
+}
+
 BOOST_AUTO_TEST_CASE(cut_graphs_from_generators_and_flow_lines_leave_discs)
 {
   for (const auto& [name, s] : surfaces()) BOOST_TEST_CONTEXT(name)
