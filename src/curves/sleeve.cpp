@@ -218,14 +218,38 @@ Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve)
   return Funnel(s, sleeve, sleeve.halfedges.size()).pull();
 }
 
-Pulled_path pull_closed(const Triangle_surface& s, const std::vector<Index>& halfedges)
+namespace {
+
+// Whether a path through three turns bends at one corner in all of them. Then what lies between is the tight loop.
+bool comes_again(const Pulled_path& path, std::size_t turn)
 {
-  Sleeve sleeve{s.apex(halfedges.front()), s.apex(s.opposite[halfedges.back()]), {}};
-  for (std::size_t i = 0; i < turns_of_closed_sleeve; ++i)
+  const auto bends_at = [&](const Pulled_path::Corner& corner, std::size_t first) {
+    return std::any_of(path.corners.begin() + 1, path.corners.end() - 1,
+                       [&](const Pulled_path::Corner& c) { return c.first == first && c.is_left == corner.is_left; });
+  };
+  for (std::size_t k = 1; k + 1 < path.corners.size() && path.corners[k].portal < turn; ++k)
   {
-    sleeve.halfedges.insert(sleeve.halfedges.end(), halfedges.begin(), halfedges.end());
+    const Pulled_path::Corner& corner = path.corners[k];
+    if (bends_at(corner, corner.first + turn) && bends_at(corner, corner.first + 2 * turn)) { return true; }
   }
-  return Funnel(s, sleeve, halfedges.size()).pull();
+  return false;
+}
+
+} // namespace
+
+Pulled_path pull_closed(const Triangle_surface& s, const std::vector<Index>& halfedges, std::size_t& turns)
+{
+  constexpr std::size_t few = 3, most = 5;
+  Sleeve sleeve{s.apex(halfedges.front()), s.apex(s.opposite[halfedges.back()]), {}};
+  const auto pull_through = [&](std::size_t wanted) {
+    for (turns = wanted; sleeve.halfedges.size() < turns * halfedges.size();)
+    {
+      sleeve.halfedges.insert(sleeve.halfedges.end(), halfedges.begin(), halfedges.end());
+    }
+    return Funnel(s, sleeve, halfedges.size()).pull();
+  };
+  const Pulled_path path = pull_through(few);
+  return comes_again(path, halfedges.size()) ? path : pull_through(most);
 }
 
 double angle(const Point_2& at, const Point_2& p, const Point_2& q)

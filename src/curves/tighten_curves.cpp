@@ -33,11 +33,10 @@ struct Taut_curve
 
 // Appends the bends of a pulled path at vertices inside the surface. Of a closed curve the strip is several turns long:
 // bends are taken from the middle one.
-void find_bends(const Triangle_surface& s, const std::vector<Index>& halfedges, const Pulled_path& path, bool closed,
-                Taut_curve& curve)
+void find_bends(const Triangle_surface& s, const std::vector<Index>& halfedges, const Pulled_path& path,
+                std::size_t turns, Taut_curve& curve)
 {
-  const std::size_t period = halfedges.size(), turns = closed ? turns_of_closed_sleeve : 1, from = turns / 2 * period,
-                    size = turns * period;
+  const std::size_t period = halfedges.size(), from = turns / 2 * period, size = turns * period;
   const auto halfedge = [&](std::size_t i) { return halfedges[i % period]; };
   constexpr double straight = 3.141592653589793 - 1e-6;
   for (std::size_t k = 1; k + 1 < path.corners.size(); ++k)
@@ -47,7 +46,7 @@ void find_bends(const Triangle_surface& s, const std::vector<Index>& halfedges, 
     std::size_t begin = corner.portal, end = corner.portal + 1;
     while (begin > 0 && end - begin < period && touches(s, halfedge(begin - 1), corner.vertex)) { --begin; }
     while (end < size && end - begin < period && touches(s, halfedge(end), corner.vertex)) { ++end; }
-    if (closed && (end - begin >= period || begin == 0 || end == size)) { continue; }
+    if (turns > 1 && (end - begin >= period || begin == 0 || end == size)) { continue; }
     const auto rim = [&](std::size_t i) { return corner.is_left ? path.right[i] : path.left[i]; };
     double around = 0, inside = angle(corner.at, path.corners[k - 1].at, rim(begin))
                                 + angle(corner.at, path.corners[k + 1].at, rim(end - 1));
@@ -62,7 +61,8 @@ void find_bends(const Triangle_surface& s, const std::vector<Index>& halfedges, 
 
 Taut_curve pull_loop(const Triangle_surface& s, const std::vector<Index>& halfedges)
 {
-  const Pulled_path path = pull_closed(s, halfedges);
+  std::size_t turns = 0;
+  const Pulled_path path = pull_closed(s, halfedges, turns);
   Taut_curve loop;
   loop.fraction = path.fraction;
   Point last = s.point_on(halfedges.back(), loop.fraction.back());
@@ -72,7 +72,7 @@ Taut_curve pull_loop(const Triangle_surface& s, const std::vector<Index>& halfed
     loop.length += distance(last, p);
     last = p;
   }
-  find_bends(s, halfedges, path, true, loop);
+  find_bends(s, halfedges, path, turns, loop);
   return loop;
 }
 
@@ -90,7 +90,7 @@ Taut_curve pull_open(const Triangle_surface& s, const Sleeve& sleeve)
     last = p;
   }
   curve.length += distance(last, s.points[sleeve.end]);
-  find_bends(s, sleeve.halfedges, path, false, curve);
+  find_bends(s, sleeve.halfedges, path, 1, curve);
   return curve;
 }
 

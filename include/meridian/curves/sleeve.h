@@ -53,9 +53,8 @@ struct Pulled_path
 Pulled_path pull(const Triangle_surface& s, const Sleeve& sleeve);
 
 // The same for a strip that ends where it begins. It is unrolled several times over and pulled between its far ends; of
-// the fractions there are those of the middle turn, which is what is wanted.
-constexpr std::size_t turns_of_closed_sleeve = 3;
-Pulled_path pull_closed(const Triangle_surface& s, const std::vector<Index>& halfedges);
+// the fractions there are those of the middle turn, which is what is wanted. `turns`: how many there were.
+Pulled_path pull_closed(const Triangle_surface& s, const std::vector<Index>& halfedges, std::size_t& turns);
 
 double angle(const Point_2& at, const Point_2& p, const Point_2& q);
 
