@@ -13,7 +13,9 @@
 #include <meridian/surface/measures.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace meridian {
@@ -239,15 +241,17 @@ void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, c
                       bool is_coarsest, const Progress& progress)
 {
   Distortion_minimizer minimizer(s, true, at, options.make_solver, !is_coarsest);
-  constexpr int patience = 4; // steps that gain next to nothing, in a row
-  int useless = 0;
+  constexpr int few = 4;
+  std::array<double, few> gained; // by the last steps
+  gained.fill(1);
   try
   {
-    for (int i = 0; i < options.iterations && useless < patience; ++i)
+    for (int i = 0; i < options.iterations; ++i)
     {
       if (progress) { progress(static_cast<double>(i) / options.iterations); }
       if (minimizer.step() < options.least_gain) { return; }
-      useless = minimizer.gained() < 0.2 * options.least_gain ? useless + 1 : 0;
+      gained[i % few] = minimizer.gained();
+      if (std::accumulate(gained.begin(), gained.end(), 0.) < few * options.least_gain) { return; }
     }
   }
   catch (const Solver_error&)
