@@ -63,6 +63,7 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   {
     return internal::map_with_cgal(disc, method, border == Map_border::SQUARE, at);
   }
+  constexpr Index most_at_once = 100000; // vertices: without levels more take minutes, and hardly come to a good end
   Distortion_options distortion;
   distortion.has_free_border = border == Map_border::FREE;
   distortion.make_solver = options.make_solver;
@@ -70,6 +71,10 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   {
     at = internal::map_by_levels(disc, distortion, progress);
     if (!at.empty()) { return ""; }
+    if (disc.number_of_vertices() > most_at_once)
+    {
+      return "double precision is not enough for a map into a circle that finer levels can be put into";
+    }
   }
   const bool is_given = !options.polygon.empty() && border == Map_border::SQUARE;
   const auto loop = is_given ? options.loop : boundary_loops(disc).front();
