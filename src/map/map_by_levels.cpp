@@ -242,7 +242,8 @@ void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, c
 {
   Distortion_minimizer minimizer(s, true, at, options.make_solver, !is_coarsest);
   constexpr int few = 4;
-  std::array<double, few> gained; // by the last steps
+  constexpr double little = 1e-3; // to be gained by a step, on average of a few
+  std::array<double, few> gained; // by the last of them
   gained.fill(1);
   try
   {
@@ -251,7 +252,7 @@ void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, c
       if (progress) { progress(static_cast<double>(i) / options.iterations); }
       if (minimizer.step() < options.least_gain) { return; }
       gained[i % few] = minimizer.gained();
-      if (std::accumulate(gained.begin(), gained.end(), 0.) < few * options.least_gain) { return; }
+      if (std::accumulate(gained.begin(), gained.end(), 0.) < few * little) { return; }
     }
   }
   catch (const Solver_error&)
