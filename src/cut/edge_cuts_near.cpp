@@ -5,7 +5,7 @@
 #include <meridian/cut/Edge_metric.h>
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/cut/internal/edge_trees.h>
-#include <meridian/surface/shortest_ways.h>
+#include <meridian/surface/distance_rings.h>
 
 #include <algorithm>
 #include <array>

@@ -2,6 +2,7 @@
 #include <meridian/cut/internal/edge_exchange.h>
 
 #include <meridian/base/exceptions.h>
+#include <meridian/surface/distance_rings.h>
 
 #include <algorithm>
 

@@ -9,8 +9,8 @@
 namespace meridian {
 namespace internal {
 
-// CHOLMOD's supernodal Cholesky factorization with approximate minimum degree ordering. Where unknowns come in pairs with
-// the same neighbours, as two coordinates of a point do, the pairs are ordered: a graph of half the nodes.
+// CHOLMOD's supernodal Cholesky factorization with approximate minimum degree ordering. Where unknowns come in pairs
+// with the same neighbours, as two coordinates of a point do, the pairs are ordered: a graph of half the nodes.
 std::unique_ptr<Sparse_solver> make_cholmod_solver();
 
 } // namespace internal

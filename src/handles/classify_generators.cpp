@@ -40,10 +40,6 @@ Loop_class class_of(const internal::Sides& s)
   return s.inside ? Loop_class::HANDLE : s.outside ? Loop_class::TUNNEL : Loop_class::NEITHER;
 }
 
-} // namespace
-
-namespace {
-
 std::future<bool> begin_search(const Triangle_surface& root)
 {
   return std::async(std::launch::async, [&root] { return does_self_intersect(root); });

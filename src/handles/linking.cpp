@@ -196,9 +196,9 @@ public:
   }
 
 private:
-  // Where a loop crosses an edge of the walk itself, pushed along the normals. Seen in the projection, it passes over the
-  // edge from left to right, or it stays on one side of it and goes round it only where the surface folds away from the
-  // edge.
+  // Where a loop crosses an edge of the walk itself, pushed along the normals. Seen in the projection, it passes over
+  // the edge from left to right, or it stays on one side of it and goes round it only where the surface folds away from
+  // the edge.
   bool count_at(std::size_t i)
   {
     const Index e = m_edges[i], o = m_surface.opposite[e];

@@ -6,12 +6,12 @@
 namespace meridian {
 namespace program {
 
-// Arrays are taken again and again: memory that is given back to the system each time costs up to half of a run. So it is
-// kept.
+// Arrays are taken again and again: memory that is given back to the system each time costs up to half of a run. So it
+// is kept.
 void keep_memory();
 
-// From here on the largest arrays go back by themselves: where each is taken once, the gaps that they leave would be the
-// largest.
+// From here on the largest arrays go back by themselves: where each is taken once, the gaps that they leave would be
+// the largest.
 void give_back_largest();
 
 // Gives back the gaps between arrays: where one part of a run is over, and the next needs arrays of other sizes.

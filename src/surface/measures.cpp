@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/surface/measures.h>
 
-#include <meridian/surface/shortest_ways.h>
+#include <meridian/surface/distance_rings.h>
 
 #include <algorithm>
 #include <cmath>

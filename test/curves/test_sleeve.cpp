@@ -39,8 +39,8 @@ std::vector<std::vector<Index>> strips_of(const Triangle_surface& s)
 
 } // namespace
 
-// A closed curve that bends at the same corner in each of three turns is the tight loop of its strip, wherever the strip
-// is said to begin; what does not goes through five.
+// A closed curve that bends at the same corner in each of three turns is the tight loop of its strip, wherever that is
+// said to begin; what does not goes through five.
 BOOST_AUTO_TEST_CASE(a_tight_loop_is_the_same_wherever_its_strip_begins)
 {
   int tight = 0, others = 0;

@@ -149,8 +149,8 @@ BOOST_AUTO_TEST_CASE(a_factorization_is_made_anew_for_other_values_and_other_pla
   }
 }
 
-// Each unknown becomes two, as the coordinates of a point: side by side, as pairs with the same neighbours, or the second
-// ones after all first; or side by side with one place more, so that they are pairs no longer.
+// Each unknown becomes two, as the coordinates of a point: side by side, as pairs with the same neighbours, or the
+// second ones after all first; or side by side with one place more, so that they are pairs no longer.
 BOOST_AUTO_TEST_CASE(unknowns_in_pairs_are_solved_for_as_others_are)
 {
   const auto s = sample::torus(12, 9);
@@ -207,8 +207,8 @@ BOOST_AUTO_TEST_CASE(small_systems_are_solved_directly_and_large_ones_level_by_l
   }
 }
 
-// Theorem (Saad 2003, 9.2): conjugate gradients need a preconditioner that is symmetric and positive. One cycle is, also
-// where two halves of the unknowns are smoothed side by side.
+// Theorem (Saad 2003, 9.2): conjugate gradients need a preconditioner that is symmetric and positive. One cycle is,
+// also where two halves of the unknowns are smoothed side by side.
 BOOST_AUTO_TEST_CASE(a_cycle_through_levels_is_symmetric_and_positive)
 {
   for (const Index n : {Index(40), halved_side})

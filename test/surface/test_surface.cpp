@@ -10,6 +10,7 @@
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Surface_curve.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/distance_rings.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/open_along.h>
@@ -240,8 +241,8 @@ BOOST_AUTO_TEST_CASE(ways_through_faces_and_along_edges_cannot_be_shortened)
   }
 }
 
-// Definition: distances are the same to the last bit whether a heap or rings find them, also where the way round is longer
-// than all rings that are near together, or edges are as different as 1 and 10^8 and many lie in one ring.
+// Definition: distances are the same to the last bit whether a heap or rings find them, also where the way round is
+// longer than all rings that are near together, or edges are as different as 1 and 10^8 and many lie in one ring.
 BOOST_AUTO_TEST_CASE(distances_by_rings_are_those_of_a_heap)
 {
   std::mt19937 random(11);

@@ -5,7 +5,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/curves/Normal_curves.h>
 #include <meridian/surface/Triangle_surface.h>
-#include <meridian/surface/shortest_ways.h>
+#include <meridian/surface/distance_rings.h>
 
 #include <array>
 #include <cstddef>
@@ -17,9 +17,9 @@
 namespace meridian {
 namespace internal {
 
-// The gaps between normal curves as nodes of a graph, and two cells that grow in it, from the two sides of something: two
-// nodes are neighbours, as far apart as the middles of their gaps, if they lie on one region of a face. Nodes get
-// numbers, and regions are traced, where and when a search comes to them; both stay until curves change there.
+// The gaps between normal curves as nodes of a graph, and two cells that grow in it, from two sides. Two nodes are
+// neighbours, as far apart as the middles of their gaps, if they lie on one region of a face. Nodes get numbers, and
+// regions are traced, where and when a search comes to them; both stay until curves change there.
 class Gap_graph
 {
 public:
@@ -39,8 +39,8 @@ public:
   // The middle of the gap.
   const Point& point(Node n) const { return m_nodes[n].point; }
 
-  // What the last search found: how far a node is from where a cell begins, infinite if the cell did not come to it; the
-  // node before it on the shortest way from there, -1 where the cell begins; the face that the way crosses in between.
+  // What the last search found: how far a node is from where a cell begins, infinite if the cell did not come to it;
+  // the node before it on the shortest way, -1 where the cell begins; the face that the way crosses in between.
   double distance_from(Side side, Node n) { return known(n).distance[side]; }
   Node before(Side side, Node n) const { return m_nodes[n].arrival[side] >> 1; }
   Index face_before(Side side, Node n) const { return m_members[m_nodes[n].regions[m_nodes[n].arrival[side] & 1]]; }
@@ -66,6 +66,8 @@ public:
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   struct alignas(64) Gap_node // one cache line
   {
     Point point;
@@ -81,7 +83,7 @@ private:
     Gap_node& of = m_nodes[n];
     if (std::exchange(of.run, m_run) != m_run)
     {
-      of.distance.fill(std::numeric_limits<double>::infinity());
+      of.distance.fill(infinity);
       of.arrival.fill(-1);
     }
     return of;
@@ -110,13 +112,9 @@ private:
       {
         const Node to = m_members[i];
         Gap_node& there = known(to);
-        const double d = at + distance(from, there.point);
-        const double opposite = there.distance[1 - side];
-        if (reach(there, side, to, d, 2 * n + (there.regions[0] != r), d <= farthest)
-            && opposite < std::numeric_limits<double>::infinity())
-        {
-          meet(to, d + opposite);
-        }
+        const double d = at + distance(from, there.point), opposite = there.distance[1 - side];
+        const bool is_shorter = reach(there, side, to, d, 2 * n + (there.regions[0] != r), d <= farthest);
+        if (is_shorter && opposite < infinity) { meet(to, d + opposite); }
       }
     }
   }

@@ -51,10 +51,10 @@ std::vector<Loop_class> classify_loops(const Triangle_surface& root, const std::
 void classify_generators(const Triangle_surface& root, Generators& generators, Progress_observer* observer = nullptr);
 
 /// \ingroup PkgMeridianGenerators
-/// the same, where the search for self-intersections has been begun before: it needs nothing but the surface, and can run
-/// beside the search for generators.
+/// the same, where the search for self-intersections has been begun before: it needs nothing but the surface, and can
+/// run beside the search for generators.
 /// \param root, generators, observer as above
-/// \param meets_itself what `does_self_intersect(root)` returns; it is waited for if the surface is closed and has genus
+/// \param meets_itself what `does_self_intersect(root)` returns, waited for if the surface is closed and has genus
 void classify_generators(const Triangle_surface& root, Generators& generators, std::future<bool> meets_itself,
                          Progress_observer* observer = nullptr);
 
