@@ -8,7 +8,7 @@ grep -h '^| plate, ' "${@:?tables of bench_targets}" | awk -F ' *[|] *' -v svg="
   # what, faces, CPU s, MB; reading and writing is what the ratio of a cut is taken of
   { split($2, size, " "); n = size[2]; what = $3
     note(what, n, $4)
-    if (what == "cut") { note("CGAL reads and writes", n, $4 / $8); note_memory(n, $6) } }
+    if (what == "cut, curves tightened") { note("CGAL reads and writes", n, $4 / $8); note_memory(n, $6) } }
   function note(what, n, s) { if (!(what in count)) names[++kinds] = what; i = ++count[what]; x[what, i] = n; y[what, i] = s }
   function note_memory(n, mb) { i = ++count["memory"]; x["memory", i] = n; y["memory", i] = mb }
   # the slope of the logarithms, from 100,000 faces on

@@ -146,7 +146,9 @@ public:
     return of_child([&] {
       const Examination e = examine_surface(m_soup);
       std::vector<Cut> cuts;
-      cuts.push_back(cut_to_disc(e.components.front().surface));
+      Cut_options curves_alone;
+      curves_alone.tightening = Tightening::CURVES;
+      cuts.push_back(cut_to_disc(e.components.front().surface, curves_alone));
       if (!verify_cut(m_soup, assemble_result(m_soup, e, cuts).mesh)) { _exit(1); }
     });
   }
@@ -198,8 +200,8 @@ void measure(const std::string& name, const Mesh_costs& mesh)
   {
     all["files"].push_back(mesh.read_and_write());
     all["cut"].push_back(mesh.run("cut"));
+    all["curves"].push_back(mesh.run("cut", {"--tighten", "curves"}));
     if (is_huge) { continue; }
-    all["graph"].push_back(mesh.run("cut", {"--tighten", "graph"}));
     all["tree"].push_back(mesh.run("cut", {"--method", "tree-cotree", "--bases", "1"}));
     all["search"].push_back(mesh.search_and_sort());
     all["search"].back().seconds += all["files"].back().seconds;
@@ -208,11 +210,11 @@ void measure(const std::string& name, const Mesh_costs& mesh)
     all["memory"].push_back(mesh.cut_in_memory());
     if (mesh.faces() <= most_unwrapped) { all["unwrap"].push_back(mesh.run("unwrap")); }
   }
-  print(name, "cut", "reading and writing", 1.5, all["cut"], all["files"]);
+  print(name, "cut, curves tightened", "reading and writing", 1.5, all["curves"], all["files"]);
+  print(name, "cut", "the same", 1.5, all["cut"], all["curves"]);
   if (is_huge) { return; }
-  print(name, "cut, files not", "factorization", 0.6, all["memory"], all["factorization"]);
+  print(name, "cut, curves, files not", "factorization", 0.6, all["memory"], all["factorization"]);
   print(name, "cut, tree-cotree", "Dijkstra, sorting, reading and writing", 1.2, all["tree"], all["search"]);
-  print(name, "cut, graph tightened", "cut", 1.5, all["graph"], all["cut"]);
   print(name, "generators", "cut", mesh.genus() < few ? 2 : 4, all["generators"], all["cut"]);
   if (all["unwrap"].empty()) { return; }
   print(name, "unwrap", "factorization", mesh.faces() < small ? 20 : 40, all["unwrap"], all["factorization"]);

@@ -25,7 +25,7 @@ for join in surface complex saddles; do
   "$build/meridian" cut bitorus.obj -o out.off --method generators --join $join --view page.html
   draw bitorus-cut-$join page.html
 done
-"$build/meridian" cut bitorus.obj -o out.off --view page.html
+"$build/meridian" cut bitorus.obj -o out.off --tighten curves --view page.html
 draw bitorus-cut page.html
 "$build/meridian" cut three-rings.obj -o out.off --method morse --view page.html
 draw three-rings-cut-morse page.html

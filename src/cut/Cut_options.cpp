@@ -54,6 +54,16 @@ Weights weights_of(const Cut_method& method)
     method);
 }
 
+Tightening tightening_of(const Cut_options& o)
+{
+  if (o.tightening) { return *o.tightening; }
+  const auto* contours = std::get_if<By_contours>(&o.method);
+  const bool is_free = contours && !contours->preference && contours->levels == Levels::SADDLE
+                       && o.link_domain == Link_domain::SURFACE && !o.links.bifurcations && o.links.source < 0
+                       && !o.refine_where_needed;
+  return is_free ? Tightening::GRAPH : Tightening::CURVES;
+}
+
 void check(const Cut_options& o)
 {
   const std::string method = "method " + name_of(o.method);

@@ -52,10 +52,13 @@ void link(const Triangle_surface& root, const Cut_options& options, const std::v
 
 } // namespace internal
 
-Cut cut_to_disc(const Triangle_surface& root, const Cut_options& options)
+Cut cut_to_disc(const Triangle_surface& root, const Cut_options& chosen)
 {
-  check(root, options);
+  check(root, chosen);
+  Cut_options options = chosen;
+  options.tightening = tightening_of(chosen);
   Cut cut;
+  cut.tightening = *options.tightening;
   const Stage_runner run{options.observer, cut.seconds};
   cut.boundary_loops = static_cast<int>(boundary_loops(root).size());
   cut.genus = genus(root);

@@ -69,14 +69,15 @@ Seam_trace trace_seam(const Triangle_surface& root, const Refined_surface& cut)
 
 namespace {
 
+bool is_beside(const Seam_trace& trace, Index v) { return trace.beside[v] < std::numeric_limits<double>::infinity(); }
+
 // A tree of edges near the seam of a closed sphere, that joins the seam's ends.
 std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Seam_trace& trace)
 {
   if (trace.ends.size() < 2) { return cut_sphere(root, -1, measure_edges(root, {})); }
   constexpr double away = 1000; // how much longer an edge counts that leaves the faces of the seam
-  const auto is_beside = [&](Index v) { return trace.beside[v] < std::numeric_limits<double>::infinity(); };
   const Edge_tree tree = grow_edge_tree(root, {{0., trace.ends.front()}}, [&](Index h) {
-    return (is_beside(root.source(h)) && is_beside(root.target(h)) ? 1 : away) * root.length(h);
+    return (is_beside(trace, root.source(h)) && is_beside(trace, root.target(h)) ? 1 : away) * root.length(h);
   });
   std::vector<char> is_cut(root.number_of_halfedges(), 0);
   for (Index v : trace.ends)
@@ -87,18 +88,80 @@ std::vector<Index> cut_sphere_near(const Triangle_surface& root, const Seam_trac
   return edges.size() < 2 ? cut_sphere(root, trace.ends.front(), measure_edges(root, {})) : edges;
 }
 
-// The distance of each vertex along edges.
-std::vector<double> distances_from(const Triangle_surface& root, const std::vector<std::pair<double, Index>>& starts)
+// The distance of each vertex from the seam along edges; infinite beyond `limit`.
+std::vector<double> distances_from(const Triangle_surface& root, const Seam_trace& trace, double limit)
 {
+  std::vector<std::pair<double, Index>> starts;
+  for (Index v = 0; v < root.number_of_vertices(); ++v)
+  {
+    if (is_beside(trace, v)) { starts.emplace_back(trace.beside[v], v); }
+  }
   double mean = 0;
   for (Index h = 0; h < root.number_of_halfedges(); ++h) { mean += root.length(h) / root.number_of_halfedges(); }
-  return find_distances(root.number_of_vertices(), starts, mean, [&](Index v, const auto& reach) {
-    root.for_each_outgoing(v, [&](Index h) {
-      reach(root.target(h), root.length(h));
-      const Index in = root.prev(h); // a boundary edge has only the halfedge that comes in
-      if (root.opposite[in] < 0) { reach(root.source(in), root.length(in)); }
-    });
-  });
+  return find_distances(
+    root.number_of_vertices(), starts, mean,
+    [&](Index v, const auto& reach) {
+      root.for_each_outgoing(v, [&](Index h) {
+        reach(root.target(h), root.length(h));
+        const Index in = root.prev(h); // a boundary edge has only the halfedge that comes in
+        if (root.opposite[in] < 0) { reach(root.source(in), root.length(in)); }
+      });
+    },
+    limit);
+}
+
+// What the seam does on an edge: nothing, touch it, cross it, follow it.
+int rank_of(const Triangle_surface& root, const Seam_trace& trace, Index edge)
+{
+  const bool touches = trace.is_on[root.source(edge)] || trace.is_on[root.target(edge)];
+  return trace.follows[edge] ? 3 : trace.crosses[edge] ? 2 : touches ? 1 : 0;
+}
+
+// The edges inside the surface by what the seam does on them, those farthest from it first. Of those that it does not
+// even touch that is left out, unless `all` shall be sorted.
+std::vector<Index> order_edges(const Triangle_surface& root, const Seam_trace& trace, bool all)
+{
+  std::array<std::vector<Index>, 4> edges;
+  double limit = 0; // within it lie all vertices that matter
+  for (Index h = 0; h < root.number_of_halfedges(); ++h)
+  {
+    if (root.opposite[h] < h) { continue; }
+    const int rank = rank_of(root, trace, h);
+    edges[rank].push_back(h);
+    if (rank > 0) { limit = std::max(limit, root.length(h)); }
+    for (Index v : {root.source(h), root.target(h)})
+    {
+      if (is_beside(trace, v)) { limit = std::max(limit, trace.beside[v]); }
+    }
+  }
+  if (all) { limit = std::numeric_limits<double>::infinity(); }
+  const std::vector<double> away = distances_from(root, trace, limit);
+  std::vector<Index> order;
+  for (auto& of_rank : edges)
+  {
+    const bool is_sorted = all || &of_rank != edges.data();
+    std::vector<std::pair<double, Index>> ranked;
+    for (Index h : of_rank) { ranked.emplace_back(is_sorted ? -(away[root.source(h)] + away[root.target(h)]) : 0, h); }
+    if (is_sorted) { std::sort(ranked.begin(), ranked.end()); }
+    for (const auto& [nearness, h] : ranked) { order.push_back(h); }
+  }
+  return order;
+}
+
+// The cut graph that is left by a spanning tree of the faces which crosses edges in their order. Where the seam is a
+// cut graph, all that it does not touch lies in a disc, and whichever of these edges the tree does not cross dangle. So
+// they are sorted only if one of them is left.
+std::vector<Index> edges_near(const Triangle_surface& root, const Seam_trace& trace)
+{
+  for (const bool all : {false, true})
+  {
+    std::vector<char> is_cut = edges_beside_face_tree(root, order_edges(root, trace, all));
+    prune(root, is_cut);
+    std::vector<Index> edges = flagged_edges(root, is_cut);
+    const bool is_near = std::all_of(edges.begin(), edges.end(), [&](Index h) { return rank_of(root, trace, h) > 0; });
+    if (all || is_near) { return edges; }
+  }
+  return {};
 }
 
 } // namespace
@@ -109,29 +172,7 @@ std::vector<Index> cut_of_edges_near(const Triangle_surface& root, const Refined
 {
   const internal::Seam_trace trace = internal::trace_seam(root, cut);
   if (internal::is_sphere(root)) { return internal::cut_sphere_near(root, trace); }
-  std::vector<std::pair<double, Index>> starts;
-  for (Index v = 0; v < root.number_of_vertices(); ++v)
-    if (trace.beside[v] < std::numeric_limits<double>::infinity()) { starts.emplace_back(trace.beside[v], v); }
-  const std::vector<double> away = internal::distances_from(root, starts);
-  // by what the seam does on them, those farthest from it first
-  std::array<std::vector<std::pair<double, Index>>, 4> ranks;
-  for (Index h = 0; h < root.number_of_halfedges(); ++h)
-  {
-    if (root.opposite[h] < h) { continue; }
-    const Index v = root.source(h), w = root.target(h);
-    const bool touches = trace.is_on[v] || trace.is_on[w];
-    const int kind = trace.follows[h] ? 3 : trace.crosses[h] ? 2 : touches ? 1 : 0;
-    ranks[kind].emplace_back(starts.empty() ? 0 : -(away[v] + away[w]), h);
-  }
-  std::vector<Index> order;
-  for (auto& of_kind : ranks)
-  {
-    std::sort(of_kind.begin(), of_kind.end());
-    for (const auto& [nearness, h] : of_kind) { order.push_back(h); }
-  }
-  std::vector<char> is_cut = internal::edges_beside_face_tree(root, order);
-  internal::prune(root, is_cut);
-  return straighten_edge_cut(root, internal::flagged_edges(root, is_cut), Path_ends::SLIDE, rounds,
+  return straighten_edge_cut(root, internal::edges_near(root, trace), Path_ends::SLIDE, rounds,
                              [&](Index v) { return trace.beside[v] < std::numeric_limits<double>::infinity(); });
 }
 

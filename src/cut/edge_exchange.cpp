@@ -12,17 +12,18 @@ namespace internal {
 
 namespace {
 
-constexpr double less = 1 - 1e-12; // rounding must not keep exchanges going
+constexpr double less = 1 - 1e-6; // the rounding of lengths must not keep exchanges going
 
 } // namespace
 
 Edge_exchange::Edge_exchange(const Triangle_surface& s, std::vector<char>& is_cut)
   : m_surface(s), m_is_cut(is_cut), m_degree(s.number_of_vertices(), 0), m_side(s.number_of_halfedges(), -1),
-    m_index(s.number_of_halfedges(), -1), m_local(s.number_of_vertices()), m_is_local(s.number_of_vertices(), 0)
+    m_index(s.number_of_halfedges(), -1), m_local(s.number_of_vertices()), m_search(s.number_of_vertices(), 0)
 {
+  m_length.reserve(s.number_of_halfedges());
   for (Index h = 0; h < s.number_of_halfedges(); ++h)
   {
-    m_length.push_back(s.length(h));
+    m_length.push_back(static_cast<float>(s.length(h)));
     m_degree[s.source(h)] += is_cut[h];
     m_mean_length += m_length[h] / s.number_of_halfedges();
   }
@@ -32,6 +33,7 @@ int Edge_exchange::run()
 {
   if (!begin()) { return 0; }
   grow();
+  name_cells();
   find_candidates();
   const int straightened = straighten_all();
   return straightened + exchange_all();
@@ -57,11 +59,14 @@ bool Edge_exchange::begin()
 
 int Edge_exchange::straighten_all()
 {
-  const std::vector<Path> cells = collect_cells();
   int exchanged = 0;
-  for (Index side = 0; side < static_cast<Index>(cells.size()); ++side)
+  for (Index side = 0; side < static_cast<Index>(m_cells.size()); ++side)
   {
-    if (m_sides[side].mate > side && !m_is_changed[side]) { exchanged += straighten(side, cells); }
+    const Index mate = m_sides[side].mate;
+    if (mate > side && !m_is_changed[side] && !m_is_changed[mate] && (m_cells[side].is_new || m_cells[mate].is_new))
+    {
+      exchanged += straighten(side);
+    }
   }
   return exchanged;
 }
@@ -71,6 +76,7 @@ int Edge_exchange::exchange_all()
   std::vector<std::pair<double, Index>> order; // by what they gain
   for (const auto& [sides, c] : m_candidates)
   {
+    number_sides();
     const Path path = path_over(c.over);
     const Index side = path.empty() ? -1 : longest_replaced(path);
     if (side >= 0) { order.emplace_back(length(path) - m_sides[side].length, c.over); }
@@ -79,6 +85,7 @@ int Edge_exchange::exchange_all()
   int exchanged = 0;
   for (const auto& [gain, over] : order)
   {
+    number_sides();
     const Path path = path_over(over);
     const Index side = path.empty() ? -1 : longest_replaced(path);
     exchanged += side >= 0 && exchange(path, side);
@@ -113,11 +120,13 @@ Index Edge_exchange::walk(Index first)
   m_sides.clear();
   m_order.clear();
   m_is_changed.clear();
+  m_is_numbered = false;
   Index h = first, steps = 0;
   do {
     if (is_node(m_surface.source(h))) { m_order.push_back(add_side({}, -1)); }
     Side& side = m_sides.back();
     m_side[h] = m_order.back();
+    for (Index g = m_surface.turn_left(h); g >= 0 && !is_wall(g); g = m_surface.turn_left(g)) { m_side[g] = m_side[h]; }
     m_index[h] = static_cast<Index>(side.halfedges.size());
     side.halfedges.push_back(h);
     side.length += m_length[h];
@@ -130,12 +139,13 @@ Index Edge_exchange::walk(Index first)
     const Index own = side.halfedges.front();
     if (m_is_cut[own]) { side.mate = m_side[m_surface.opposite[own]]; }
   }
-  number_sides();
   return steps;
 }
 
 void Edge_exchange::number_sides()
 {
+  if (m_is_numbered) { return; }
+  m_is_numbered = true;
   m_rank.resize(m_sides.size());
   for (std::size_t i = 0; i < m_order.size(); ++i) { m_rank[m_order[i]] = static_cast<Index>(i); }
 }
@@ -148,20 +158,42 @@ Index Edge_exchange::corner(Index h) const
 
 void Edge_exchange::grow()
 {
-  m_reached.assign(m_surface.number_of_vertices(), {});
   double farthest = 0; // from the rim: half the longest path
   for (const Side& side : m_sides) { farthest = std::max(farthest, side.mate < 0 ? 0 : side.length / 2); }
+  const bool is_whole = farthest > m_farthest;
+  m_farthest = std::max(m_farthest, farthest);
+  m_is_new.assign(m_surface.number_of_vertices(), 0);
   Distance_rings rings(m_mean_length);
   const auto reach = [&](Index h, double distance, Index root) {
     const Index w = m_surface.target(h);
     const double length = distance + m_length[h];
-    if (is_used(w) || !(length < m_reached[w].distance) || length > farthest) { return; }
+    if (is_used(w) || !(length < m_reached[w].distance) || length > m_farthest) { return; }
     m_reached[w] = {length, h, root};
+    m_is_new[w] = 1;
     rings.reach(length, w);
   };
-  for (const Side& side : m_sides)
-    for (Index h : side.halfedges)
-      for (Index g = m_surface.turn_left(h); g >= 0 && !is_wall(g); g = m_surface.turn_left(g)) { reach(g, 0, g); }
+  const auto leave_rim = [&](Index h) {
+    for (Index g = m_surface.turn_left(h); g >= 0 && !is_wall(g); g = m_surface.turn_left(g)) { reach(g, 0, g); }
+  };
+  if (is_whole)
+  {
+    m_reached.assign(m_surface.number_of_vertices(), {});
+    for (const Side& side : m_sides) { std::for_each(side.halfedges.begin(), side.halfedges.end(), leave_rim); }
+  }
+  else
+  {
+    for (Index v : forget_lost_ways())
+      m_surface.for_each_outgoing(v, [&](Index h) {
+        const Index u = m_surface.target(h), back = m_surface.opposite[h];
+        if (is_used(u)) { reach(back, 0, back); }
+        else if (m_reached[u].root >= 0) { reach(back, m_reached[u].distance, m_reached[u].root); }
+      });
+    for (Index h : m_exchanged)
+    {
+      if (is_wall(h)) { leave_rim(h); }
+    }
+  }
+  m_exchanged.clear();
   rings.search([&](Index v) { return m_reached[v].distance; },
                [&](Index v) {
                  const Reached here = m_reached[v];
@@ -169,39 +201,52 @@ void Edge_exchange::grow()
                });
 }
 
+Edge_exchange::Path Edge_exchange::forget_lost_ways()
+{
+  Path free;
+  for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+  {
+    Reached& r = m_reached[v];
+    if (!is_used(v) && r.root >= 0 && is_used(m_surface.source(r.root)) && !is_wall(r.root)) { continue; }
+    m_is_new[v] = r.root >= 0 || !is_used(v);
+    if (!is_used(v)) { free.push_back(v); }
+    r = {};
+  }
+  return free;
+}
+
+void Edge_exchange::name_cells()
+{
+  m_cell.assign(m_surface.number_of_vertices(), -1);
+  for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
+  {
+    if (m_reached[v].root >= 0) { m_cell[v] = m_side[m_reached[v].root]; }
+  }
+}
+
 void Edge_exchange::find_candidates()
 {
   m_candidates.clear();
+  m_cells.assign(m_sides.size(), {});
   std::pair<Index, Index> last{-1, -1}; // two sides that touch do so along many edges
   Candidate* c = nullptr;
   for (Index h = 0; h < m_surface.number_of_halfedges(); ++h)
   {
     if (m_surface.edge(h) != h || is_wall(h)) { continue; }
-    const Index root = first_of(h), other = first_of(m_surface.opposite[h]);
-    if (root < 0 || other < 0 || root == other) { continue; }
-    const std::pair<Index, Index> sides = std::minmax(m_side[corner(root)], m_side[corner(other)]);
-    if (sides.first == sides.second) { continue; }
+    const Index v = m_surface.source(h), w = m_surface.target(h), back = m_surface.opposite[h];
+    const bool is_on_rim = is_used(v), ends_on_rim = is_used(w);
+    const Index from = is_on_rim ? m_side[h] : m_cell[v], to = ends_on_rim ? m_side[back] : m_cell[w];
+    if (from < 0 || to < 0) { continue; }
+    if (m_is_new[v] || m_is_new[w]) { m_cells[from].is_new = m_cells[to].is_new = true; }
+    if (!is_on_rim && (ends_on_rim || from != to)) { m_cells[from].border.push_back(h); }
+    if (!ends_on_rim && (is_on_rim || from != to)) { m_cells[to].border.push_back(back); }
+    if (from == to) { continue; }
+    const std::pair<Index, Index> sides = std::minmax(from, to);
     if (sides != last) { c = &m_candidates[sides]; }
     last = sides;
-    const double whole = distance_of(m_surface.source(h)) + m_length[h] + distance_of(m_surface.target(h));
+    const double whole = distance_of(v) + m_length[h] + distance_of(w);
     if (whole < c->length) { *c = {whole, h}; }
   }
-}
-
-std::vector<Edge_exchange::Path> Edge_exchange::collect_cells() const
-{
-  std::vector<Path> cells(m_sides.size());
-  for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
-  {
-    if (m_reached[v].root >= 0) { cells[m_side[corner(m_reached[v].root)]].push_back(v); }
-  }
-  return cells;
-}
-
-Index Edge_exchange::first_of(Index h) const
-{
-  const Index v = m_surface.source(h);
-  return is_used(v) ? h : m_reached[v].root;
 }
 
 Index Edge_exchange::longest_replaced(const Path& path) const
@@ -257,17 +302,9 @@ bool Edge_exchange::exchange(const Path& path, Index side)
   const Index from = corner(path.front()), to = corner(m_surface.opposite[path.back()]);
   split(from);
   split(to);
-  // Without the path the rim falls into two; the way joins the one that it begins at with the one that it ends at.
-  std::rotate(m_order.begin(), std::find(m_order.begin(), m_order.end(), side), m_order.end());
-  const auto middle = std::find(m_order.begin(), m_order.end(), mate);
-  std::vector<Index> first(m_order.begin() + 1, middle), second(middle + 1, m_order.end());
-  if (std::find(first.begin(), first.end(), m_side[from]) == first.end()) { std::swap(first, second); }
-  const auto begin = std::find(first.begin(), first.end(), m_side[from]),
-             end = std::find(second.begin(), second.end(), m_side[to]);
-  if (begin == first.end() || end == second.end())
+  if (!join_rims(side, m_side[from], m_side[to]))
   {
     set(old, true);
-    number_sides();
     return false;
   }
   Path back;
@@ -275,42 +312,75 @@ bool Edge_exchange::exchange(const Path& path, Index side)
   const Index there = add_side(path, -1), here = add_side(back, there);
   m_sides[there].mate = here;
   m_is_changed[side] = m_is_changed[mate] = 1;
-  std::rotate(first.begin(), begin, first.end());
-  std::rotate(second.begin(), end, second.end());
-  m_order = std::move(first);
-  m_order.push_back(there);
-  m_order.insert(m_order.end(), second.begin(), second.end());
-  m_order.push_back(here);
+  for (Index h : path)
+  {
+    const Index cell = m_cell[m_surface.target(h)];
+    if (cell >= 0) { m_is_changed[cell] = 1; } // a part of it is cut off
+  }
   set(path, true);
-  number_sides();
+  for (const Path& all : {old, path}) { m_exchanged.insert(m_exchanged.end(), all.begin(), all.end()); }
   tidy(m_surface.source(old.front()));
   tidy(m_surface.target(old.back()));
   return true;
 }
 
-bool Edge_exchange::straighten(Index side, const std::vector<Path>& cells)
+bool Edge_exchange::join_rims(Index side, Index from, Index to)
 {
+  number_sides();
+  const auto n = static_cast<Index>(m_order.size());
+  const auto after = [&](Index s) { return (m_rank[s] - m_rank[side] + n) % n; }; // along the rim, from the side on
+  const Index middle = after(m_sides[side].mate), begin = after(from), end = after(to);
+  if (begin == 0 || end == 0 || begin == middle || end == middle || (begin < middle) == (end < middle))
+  {
+    return false;
+  }
+  std::vector<Index> order;
+  order.reserve(n);
+  const auto add = [&](Index first, Index last) { // the sides between two places, counted from the path's on
+    const auto at = m_order.begin() + m_rank[side];
+    const Index turn = n - m_rank[side]; // the place of the first side of all
+    if (first < turn) { order.insert(order.end(), at + first, at + std::min(last, turn)); }
+    if (last > turn) { order.insert(order.end(), at + (std::max(first, turn) - n), at + (last - n)); }
+  };
+  const auto add_rim = [&](Index first) { // one of the two, from there on
+    add(first, first < middle ? middle : n);
+    add(first < middle ? 1 : middle + 1, first);
+  };
+  const auto way = static_cast<Index>(m_sides.size());
+  add_rim(begin);
+  order.push_back(way);
+  add_rim(end);
+  order.push_back(way + 1);
+  m_order = std::move(order);
+  m_is_numbered = false;
+  return true;
+}
+
+bool Edge_exchange::straighten(Index side)
+{
+  number_sides();
   const Path old = m_sides[side].halfedges;
-  Path own = cells[side];
-  own.insert(own.end(), cells[m_sides[side].mate].begin(), cells[m_sides[side].mate].end());
-  for (std::size_t i = 1; i < old.size(); ++i) { own.push_back(m_surface.source(old[i])); }
   set(old, false);
   if (!is_used(m_surface.source(old.front())) || !is_used(m_surface.target(old.back()))) // a loose end of the path
   {
     set(old, true);
     return false;
   }
-  own.erase(std::remove_if(own.begin(), own.end(), [&](Index v) { return is_used(v); }), own.end());
-  for (Index v : own)
-  {
-    m_is_local[v] = 1;
-    m_local[v] = {};
-  }
-  const Candidate way = search_cells(side, own, less * m_sides[side].length);
+  m_taken_out = {side, m_sides[side].mate};
+  ++m_searches;
+  for (std::size_t i = 1; i < old.size(); ++i) { m_cell[m_surface.source(old[i])] = side; }
+  const Candidate way = search_cells(side, less * m_sides[side].length);
   const Path path = way.over >= 0 ? path_over(way.over) : Path{};
-  for (Index v : own) { m_is_local[v] = 0; }
+  for (std::size_t i = 1; i < old.size(); ++i) { m_cell[m_surface.source(old[i])] = -1; }
+  m_taken_out = {-2, -2};
   set(old, true);
   return !path.empty() && length(path) < less * m_sides[side].length && exchange(path, side);
+}
+
+Edge_exchange::Reached Edge_exchange::reached(Index v) const
+{
+  if (!is_free(v)) { return m_reached[v]; }
+  return m_search[v] == m_searches ? m_local[v] : Reached();
 }
 
 Edge_exchange::Reached Edge_exchange::reached_beside(Index h) const
@@ -327,21 +397,28 @@ bool Edge_exchange::comes_from_between(Index root, Index side) const
   return a < b ? a < at && at < b : at > a || at < b;
 }
 
-Edge_exchange::Candidate Edge_exchange::search_cells(Index side, const Path& cells, double limit)
+Edge_exchange::Candidate Edge_exchange::search_cells(Index side, double limit)
 {
   Candidate best{limit, -1};
   m_queue.clear();
   const auto reach = [&](Index v, const Reached& r) {
-    if (!(r.distance < m_local[v].distance) || 2 * r.distance > best.length) { return; }
+    if (!(r.distance < reached(v).distance) || 2 * r.distance > best.length) { return; }
     m_local[v] = r;
+    m_search[v] = m_searches;
     m_queue.reach(r.distance, v);
   };
-  for (Index v : cells)
-    m_surface.for_each_outgoing(v, [&](Index h) {
-      if (m_is_local[m_surface.target(h)] || is_wall(h)) { return; }
-      const Reached beside = reached_beside(h);
-      if (beside.root >= 0) { reach(v, {beside.distance + m_length[h], m_surface.opposite[h], beside.root}); }
-    });
+  const auto enter = [&](Index h) { // over a halfedge that leaves the cells
+    if (is_wall(h) || is_free(m_surface.target(h))) { return; }
+    const Reached beside = reached_beside(h);
+    if (beside.root < 0) { return; }
+    reach(m_surface.source(h), {beside.distance + m_length[h], m_surface.opposite[h], beside.root});
+  };
+  for (Index s : {side, m_sides[side].mate})
+  {
+    std::for_each(m_cells[s].border.begin(), m_cells[s].border.end(), enter);
+  }
+  const Path& old = m_sides[side].halfedges;
+  for (std::size_t i = 1; i < old.size(); ++i) { m_surface.for_each_outgoing(m_surface.source(old[i]), enter); }
   m_queue.search([&](double at, Index v) {
     const Reached here = m_local[v];
     if (at > here.distance) { return false; }
@@ -349,9 +426,10 @@ Edge_exchange::Candidate Edge_exchange::search_cells(Index side, const Path& cel
     m_surface.for_each_outgoing(v, [&](Index h) {
       if (is_wall(h)) { return; }
       const Index w = m_surface.target(h);
-      if (m_is_local[w]) { reach(w, {at + m_length[h], h, here.root}); }
+      const bool is_inside = is_free(w);
+      if (is_inside) { reach(w, {at + m_length[h], h, here.root}); }
       const Reached there = reached_beside(h);
-      if (m_is_local[w] && there.distance > at) { return; } // perhaps not reached for good
+      if (is_inside && there.distance > at) { return; } // perhaps not reached for good
       const double length = at + m_length[h] + there.distance;
       if (there.root >= 0 && length < best.length && comes_from_between(there.root, side) != is_between)
       {
@@ -408,7 +486,7 @@ void Edge_exchange::split(Index h)
     m_sides[mate].mate = last - 1;
     m_sides[last - 1].mate = mate;
   }
-  number_sides();
+  m_is_numbered = false;
 }
 
 void Edge_exchange::divide(Index side, std::size_t size)
@@ -439,7 +517,8 @@ void Edge_exchange::tidy(Index v)
       m_order.erase(std::find(m_order.begin(), m_order.end(), gone));
     }
     set(all, false);
-    number_sides();
+    m_exchanged.insert(m_exchanged.end(), all.begin(), all.end());
+    m_is_numbered = false;
     return tidy(m_surface.target(all.back()));
   }
   if (out.size() != 2) { return; }
@@ -450,7 +529,7 @@ void Edge_exchange::tidy(Index v)
   append(y_mate, x_mate);
   m_sides[x].mate = y_mate;
   m_sides[y_mate].mate = x;
-  number_sides();
+  m_is_numbered = false;
 }
 
 void Edge_exchange::append(Index side, Index next)

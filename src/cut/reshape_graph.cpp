@@ -6,6 +6,7 @@
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/cut/edge_cuts_near.h>
+#include <meridian/cut/internal/name_paths.h>
 #include <meridian/cut/shorten_cut_graph.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/insert_curves.h>
@@ -18,6 +19,25 @@
 namespace meridian {
 
 namespace internal {
+
+namespace {
+
+// Takes over another graph. Its paths keep the names of what they stand for, if the graph had links.
+void name_anew(const Triangle_surface& root, Refined_surface&& s, std::vector<std::vector<Index>> paths, bool has_links,
+               Cut& cut)
+{
+  std::vector<Named_curve> curves;
+  if (has_links) { curves = name_paths(root, s, std::move(paths), walks_of_meridians(root, cut)); }
+  else
+  {
+    for (auto& path : paths) { curves.push_back({Curve_kind::PATH, std::move(path)}); }
+  }
+  cut.surface = std::move(s);
+  cut.curves = std::move(curves);
+  cut.choices.clear();
+}
+
+} // namespace
 
 void reshape_graph(const Triangle_surface& root, const Cut_options& options, const Stage_runner& run, Cut& cut)
 {
@@ -41,9 +61,7 @@ void reshape_graph(const Triangle_surface& root, const Cut_options& options, con
       s = Refined_surface(root);
       paths = insert_curves(root, s, curves).vertices;
     }
-    cut.surface = std::move(s);
-    cut.curves.clear();
-    add_curves(cut, Curve_kind::PATH, std::move(paths));
+    name_anew(root, std::move(s), std::move(paths), !cuts_edges(options.method), cut);
   });
 }
 

@@ -65,8 +65,7 @@ double network_length(const Normal_curves& curves)
 
 void move_vertices(Normal_curves& curves, const Tighten_options& options, const Progress& progress)
 {
-  const double least_gain =
-    (std::getenv("LEAST") ? std::atof(std::getenv("LEAST")) : 10) * options.least_gain; // of a pass
+  const double least_gain = 50 * options.least_gain; // of a pass
   // What could not be moved at some time can not as long as nothing has changed there.
   std::unordered_map<Index, std::uint64_t> at_vertex, at_curve;
   const auto has_changed = [&](Index v, std::uint64_t since) {

@@ -72,7 +72,8 @@ void find_meridians(const Triangle_surface& root, const Ordered_surface& m, int 
     search.candidates.push_back({v, root.points[v], curvature(root, v), length(m, loop), loop.is_longer,
                                  [&](const std::vector<double>& values) { return average(loop, values); }});
   }
-  search.choices = select_meridians(m, search.loops, rank_by_preference(search.candidates, preference));
+  search.choices = select_meridians(
+    m, search.loops, rank_by_preference(search.candidates, preference ? preference : preference::gaussian_curvature));
   for (Loop_candidate& c : search.candidates) { c.average = nullptr; } // it looks at a loop that may be moved below
   if (static_cast<int>(search.choices.size()) != genus)
     throw Internal_error("find_meridians: " + std::to_string(search.choices.size())

@@ -16,6 +16,7 @@
 #include <meridian/map/Map_method.h>
 #include <meridian/unwrap/compare_parameterizations.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,7 +50,7 @@ struct Cut_arguments : Field_arguments
   Generator_join join = Generator_join::SURFACE;
   Link_domain links = Link_domain::SURFACE;
   bool bifurcations = false;
-  Tightening tighten = Tightening::CURVES;
+  std::optional<Tightening> tighten; // empty: as the command does by itself
   bool on_edges = false, refine_where_needed = false;
   int bases = 16;
   bool has_bases = false;

@@ -342,7 +342,8 @@ Command add_cut(CLI::App& app)
                  "the opened mesh: OFF, OBJ, PLY or VTP; its map back to MESH is written beside it")
     ->required()
     ->type_name("OUT");
-  add_cut_options(*command, *a);
+  add_cut_options(*command, *a, Tightening::GRAPH,
+                  "; curves, with --family or where another option says how curves run");
   command
     ->add_option("--family", a->family,
                  "find N different cuts: fields, preferences, levels and methods change. They are written to OUT with "

@@ -68,7 +68,7 @@ void add_field_options(CLI::App& command, Field_arguments& a)
   add_preferences(command, a);
 }
 
-void add_cut_options(CLI::App& command, Cut_arguments& a)
+void add_cut_options(CLI::App& command, Cut_arguments& a, Tightening tightened, const std::string& unless)
 {
   command.add_option("--view", a.view, "write a page that shows the result in a browser")->type_name("FILE");
   command.add_option("--curves", a.curves, "write the curves of the cut as OBJ lines")->type_name("FILE");
@@ -82,7 +82,9 @@ void add_cut_options(CLI::App& command, Cut_arguments& a)
                 "with --method tree-cotree: how many base points are tried, unless --from names one")
     ->check(CLI::Range(1, 1000000000))
     ->capture_default_str();
-  add_choice(command, "--tighten", a.tighten, "what is made shorter");
+  add_choice<Tightening>(
+    command, "--tighten", [&a](Tightening chosen) { a.tighten = chosen; }, name_of(tightened),
+    "what is made shorter" + unless);
   command.add_flag("--on-edges", a.on_edges, "cut existing edges only, so that there are no new vertices");
   command.add_flag("--refine-where-needed", a.refine_where_needed,
                    "with --on-edges: divide the triangles where the mesh is too coarse for disjoint loops of edges");

@@ -8,10 +8,14 @@
 
 #include <CLI/CLI.hpp>
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace meridian {
+
+enum class Tightening;
+
 namespace program {
 
 struct Field_arguments;
@@ -22,7 +26,9 @@ struct Cut_arguments;
 extern const char* const repair_help;
 
 // An option whose value is the name of one of an enum's; its help lists them all with what they mean.
-template <class Enum> CLI::Option* add_choice(CLI::App& command, const char* option, Enum& value, std::string help)
+template <class Enum>
+CLI::Option* add_choice(CLI::App& command, const char* option, std::function<void(Enum)> take,
+                        const std::string& otherwise, std::string help)
 {
   std::vector<std::string> names;
   for (const auto& v : Names<Enum>::table)
@@ -32,14 +38,21 @@ template <class Enum> CLI::Option* add_choice(CLI::App& command, const char* opt
   }
   return command
     .add_option_function<std::string>(
-      option, [&value](const std::string& name) { value = from_name<Enum>(name).value(); }, help)
+      option, [take](const std::string& name) { take(from_name<Enum>(name).value()); }, help)
     ->check(CLI::IsMember(names))
-    ->default_str(name_of(value));
+    ->default_str(otherwise);
+}
+
+template <class Enum> CLI::Option* add_choice(CLI::App& command, const char* option, Enum& value, std::string help)
+{
+  return add_choice<Enum>(
+    command, option, [&value](const Enum& chosen) { value = chosen; }, name_of(value), help);
 }
 
 void add_common_options(CLI::App& command, Common_arguments& a);
 void add_field_options(CLI::App& command, Field_arguments& a);
-void add_cut_options(CLI::App& command, Cut_arguments& a);
+// `tightened`: what is, by itself; `unless`: when that is not so.
+void add_cut_options(CLI::App& command, Cut_arguments& a, Tightening tightened, const std::string& unless = "");
 void note_field_options(const CLI::App& command, Field_arguments& a);
 void note_cut_options(const CLI::App& command, Cut_arguments& a);
 

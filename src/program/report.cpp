@@ -110,7 +110,7 @@ Json report_cut(const Cut& cut, const Surface_component& component, const Cut_op
               {"flow_lines", of_kind(Curve_kind::FLOW_LINE).size()},
               {"links", of_kind(Curve_kind::LINK)},
               {"paths", of_kind(Curve_kind::PATH)},
-              {"tightening", name_of(options.tightening)},
+              {"tightening", name_of(cut.tightening)},
               {"length_found", component.unit * cut.length_found},
               {"on_edges", options.on_edges},
               {"link_domain", cut.links_in_plane ? "plane" : "surface"},

@@ -430,7 +430,7 @@ Command add_unwrap(CLI::App& app)
                  "extend the cut to regions of high stretch until the L2 stretch is at most S")
     ->check(CLI::Range(1., 1e300))
     ->type_name("S");
-  add_cut_options(*command, *a);
+  add_cut_options(*command, *a, Tightening::CURVES);
   add_picture_options(*command, *a);
   return {command, [a, command] {
             note_cut_options(*command, *a);

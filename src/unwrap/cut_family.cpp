@@ -25,6 +25,7 @@ namespace meridian {
 Cut_family::Cut_family(const Triangle_surface& root, int size, const Cut_options& options)
   : m_root(root), m_size(size), m_options(options)
 {
+  if (!m_options.tightening) { m_options.tightening = Tightening::CURVES; } // or all members would end alike
   const Closed_model g = make_closed_model(root);
   const auto [a, b] = find_distant_nodes(root, g);
   m_spread = {a, b};

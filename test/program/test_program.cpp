@@ -36,7 +36,8 @@ struct Fixture : program::Workplace
 
 BOOST_FIXTURE_TEST_CASE(a_cut_writes_its_files_and_verify_agrees, Fixture)
 {
-  const auto cut = meridian("cut mesh.obj -o disc.ply --report report.json --view page.html --curves curves.obj");
+  const auto cut = meridian("cut mesh.obj -o disc.ply --report report.json --view page.html --curves curves.obj "
+                            "--tighten curves");
   BOOST_TEST(cut.status == 0);
   BOOST_TEST(cut.error == "");
   BOOST_TEST(contains(cut.out, "verified"));

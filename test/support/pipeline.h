@@ -27,6 +27,13 @@ using namespace meridian;
 // The choices about contours of options that have no other method.
 inline By_contours& contours(Cut_options& o) { return std::get<By_contours>(o.method); }
 
+// Only the curves tightened, so that meridians and links stay what they are.
+inline Cut_options tight_curves(Cut_options o = Cut_options())
+{
+  o.tightening = Tightening::CURVES;
+  return o;
+}
+
 Cut cut(const Triangle_surface& s, const Cut_options& options = Cut_options());
 Scalar_field harmonic(const Triangle_surface& s, const Closed_model& g, const std::vector<Dirichlet_value>& prescribed,
                       Weights weights = Weights::POSITIVE);

@@ -205,7 +205,9 @@ BOOST_AUTO_TEST_CASE(all_points_in_one_place_are_cut_too)
 {
   auto s = sample::plate(2);
   for (Point& p : s.points) { p = {1, 2, 3}; }
-  const auto run = pipeline::run(sample::soup(s));
-  BOOST_TEST(curves_of(run.cuts.front(), Curve_kind::MERIDIAN).size() == 2u);
+  const auto run = pipeline::run(sample::soup(s)),
+             of_curves = pipeline::run(sample::soup(s), false, pipeline::tight_curves());
+  BOOST_TEST(curves_of(of_curves.cuts.front(), Curve_kind::MERIDIAN).size() == 2u);
+  for (const auto& failure : of_curves.verification.failures) { BOOST_ERROR(failure); }
   for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
 }

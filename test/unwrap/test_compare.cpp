@@ -58,7 +58,7 @@ std::vector<Cut> make_cuts(const Triangle_surface& s)
   all[5].tightening = Tightening::NONE;
   all[6].method = By_removing_faces();
   std::vector<Cut> cuts;
-  for (const Cut_options& o : all) { cuts.push_back(pipeline::cut(s, o)); }
+  for (const Cut_options& o : all) { cuts.push_back(pipeline::cut(s, o.tightening ? o : pipeline::tight_curves(o))); }
   return cuts;
 }
 

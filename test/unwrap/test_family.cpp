@@ -83,7 +83,7 @@ BOOST_DATA_TEST_CASE(any_field_gives_a_disc, data::xrange(1, 4) * data::xrange(6
     }
     check_cut(s, with_method(o, By_flow_lines()));
     check_cut(s, with_method(o, By_generators()));
-    auto cut = check_cut(s, o);
+    auto cut = check_cut(s, pipeline::tight_curves(o));
     BOOST_TEST(cut.counts.saddles == 2 * genus + cut.counts.minima + cut.counts.maxima - 2);
     BOOST_TEST(curves_of(cut, Curve_kind::MERIDIAN).size() == static_cast<std::size_t>(genus));
     pipeline::contours(o).minima = {9}; // the same field with extrema where they are wanted

@@ -5,6 +5,7 @@
 #include <meridian/base/Progress_observer.h>
 #include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
+#include <meridian/cut/Tightening.h>
 #include <meridian/field/Field.h>
 #include <meridian/handles/select_meridians.h>
 #include <meridian/surface/Refined_surface.h>
@@ -53,19 +54,20 @@ struct Named_curve
 /// a cut graph of one connected surface, and what was counted on the way.
 struct Cut : Field_summary
 {
-  Refined_surface surface;              ///< the input, refined; the cut graph is its seam
-  Opened_surface opened;                ///< the disc
-  std::vector<Named_curve> curves;      ///< that the cut graph is made of; of one kind, the most preferred first
-  std::vector<Meridian_choice> choices; ///< the count after each meridian
-  int genus = 0;                        ///< of the surface
-  int boundary_loops = 0;               ///< of the surface
-  bool links_in_plane = false;          ///< whether links run through an embedding in the plane
-  std::string link_note;                ///< why links were not taken through the plane, if asked for
-  double length = 0;                    ///< of the seams
-  double length_found = 0;              ///< before the graph was tightened
-  double smallest_angle_before = 0;     ///< of the surface, in radians
-  double smallest_angle_after = 0;      ///< of the refined surface, in radians
-  Stage_times seconds;                  ///< of each stage
+  Refined_surface surface;                  ///< the input, refined; the cut graph is its seam
+  Opened_surface opened;                    ///< the disc
+  std::vector<Named_curve> curves;          ///< that the cut graph is made of; of one kind, the most preferred first
+  std::vector<Meridian_choice> choices;     ///< the count after each meridian, if they stay as they were chosen
+  Tightening tightening = Tightening::NONE; ///< what was made shorter
+  int genus = 0;                            ///< of the surface
+  int boundary_loops = 0;                   ///< of the surface
+  bool links_in_plane = false;              ///< whether links run through an embedding in the plane
+  std::string link_note;                    ///< why links were not taken through the plane, if asked for
+  double length = 0;                        ///< of the seams
+  double length_found = 0;                  ///< before the graph was tightened
+  double smallest_angle_before = 0;         ///< of the surface, in radians
+  double smallest_angle_after = 0;          ///< of the refined surface, in radians
+  Stage_times seconds;                      ///< of each stage
 };
 
 /// \ingroup PkgMeridianCut

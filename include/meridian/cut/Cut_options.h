@@ -6,11 +6,13 @@
 #include <meridian/base/names.h>
 #include <meridian/curves/tighten_curves.h>
 #include <meridian/cut/Cut_method.h>
+#include <meridian/cut/Tightening.h>
 #include <meridian/cut/link_boundaries.h>
 #include <meridian/field/Sparse_solver.h>
 #include <meridian/surface/Triangle_surface.h>
 
 #include <array>
+#include <optional>
 
 namespace meridian {
 
@@ -32,31 +34,12 @@ template <> struct Names<Link_domain>
 };
 
 /// \ingroup PkgMeridianCut
-/// what is made shorter before the surface is opened.
-enum class Tightening
-{
-  NONE,   ///< curves stay as they were found
-  CURVES, ///< meridians, each within its class; links are shortest paths between them anyway
-  GRAPH   ///< the whole cut graph: its vertices move, and ways through the disc take the place of longer curves
-};
-
-/// the names of `Tightening`.
-template <> struct Names<Tightening>
-{
-  static constexpr std::array<Named_value<Tightening>, 3> table{{
-    {Tightening::NONE, "no", "curves stay as they were found"},
-    {Tightening::CURVES, "curves", "meridians, each within its class"},
-    {Tightening::GRAPH, "graph", "the whole graph, whose vertices then move and whose paths may change places"},
-  }};
-};
-
-/// \ingroup PkgMeridianCut
 /// what one may choose about a cut. Vertices are those of the surface that is cut.
 struct Cut_options
 {
-  Cut_method method;                          ///< what cuts the handles
-  Tightening tightening = Tightening::CURVES; ///< what is made shorter
-  Tighten_options tighten_options;            ///< and when that ends
+  Cut_method method;                    ///< what cuts the handles
+  std::optional<Tightening> tightening; ///< what is made shorter; empty: see `tightening_of()`
+  Tighten_options tighten_options;      ///< and when that ends
   /// whether only edges of the surface are cut, so that there are no new vertices: meridians of contours are moved onto
   /// edges; for other curves, and with `GRAPH`, a cut graph of edges close by is taken
   bool on_edges = false;
@@ -66,6 +49,13 @@ struct Cut_options
   Solvers solvers;                                ///< of the field
   Progress_observer* observer = nullptr;          ///< told of the stages, or null
 };
+
+/// \ingroup PkgMeridianCut
+/// \returns what is made shorter: what was chosen, or else the whole graph of meridians and links. Only the curves are if
+///          the method is not `By_contours`, or where the graph would move away from what was chosen about it: by a
+///          preference, about levels, about links, or to divide edges where needed
+/// \param options the choices
+Tightening tightening_of(const Cut_options& options);
 
 /// \ingroup PkgMeridianCut
 /// checks whether choices go together, whatever the surface.

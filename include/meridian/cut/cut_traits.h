@@ -42,7 +42,11 @@ template <class Traits> Cut_options with_traits(Cut_options options, const Trait
       using Method = std::decay_t<decltype(method)>;
       if constexpr (std::is_base_of_v<Meridian_options, Method>)
       {
-        method.preference = [traits](const Loop_candidate& loop) { return traits.preference(loop); };
+        method.preference = nullptr;
+        if constexpr (!std::is_same_v<Traits, Default_cut_traits>) // which has nobody prefer anything
+        {
+          method.preference = [traits](const Loop_candidate& loop) { return traits.preference(loop); };
+        }
         method.placement = [traits](double low, double high, double level) {
           return traits.crossing(low, high, level);
         };

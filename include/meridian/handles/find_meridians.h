@@ -38,7 +38,7 @@ double average_along(const Triangle_surface& root, const Ordered_surface& m, con
 /// \param root the surface
 /// \param m the same, ordered
 /// \param genus how many meridians there are
-/// \param preference rates loops
+/// \param preference rates loops; empty: `preference::gaussian_curvature()`
 /// \param search its loops are read; the rest is filled
 /// \param levels where loops are taken
 /// \param filled_holes how many vertices of `root` fill a hole

@@ -79,8 +79,8 @@ inline Preference position(const Point& d)
 /// how meridians are chosen among the level lines of saddles.
 struct Meridian_options
 {
-  Preference preference = preference::gaussian_curvature; ///< which are cut first
-  Levels levels = Levels::SADDLE;                         ///< where they are taken
+  Preference preference;          ///< which are cut first; empty: `preference::gaussian_curvature()`
+  Levels levels = Levels::SADDLE; ///< where they are taken
   /// where they cross edges, which shows only if they are not tightened: see `Ordered_surface::placement`
   std::function<double(double low, double high, double level)> placement = {};
 };

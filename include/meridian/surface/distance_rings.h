@@ -73,14 +73,16 @@ private:
 // The distance of each of some elements from the nearest start, infinite where no way leads: what
 // `find_shortest_ways()` finds, bit for bit, since a sum of floating-point numbers does not get smaller with a summand.
 // Nothing is said of the ways, and in return no heap is kept. `width`: about the length from one element to the next.
+// Elements beyond `limit` are infinitely far.
 template <class For_each_neighbor>
 std::vector<double> find_distances(Index elements, const std::vector<std::pair<double, Index>>& starts, double width,
-                                   const For_each_neighbor& for_each_neighbor)
+                                   const For_each_neighbor& for_each_neighbor,
+                                   double limit = std::numeric_limits<double>::infinity())
 {
   std::vector<double> d(elements, std::numeric_limits<double>::infinity());
   Distance_rings rings(width);
   const auto reach = [&](Index v, double at) {
-    if (!(at < d[v])) { return; }
+    if (!(at < d[v]) || at > limit) { return; }
     d[v] = at;
     rings.reach(at, v);
   };

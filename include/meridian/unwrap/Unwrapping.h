@@ -22,7 +22,7 @@ namespace meridian {
 /// what one may choose about an unwrapping.
 struct Unwrap_options
 {
-  Cut_options cut; ///< how it is cut
+  Cut_options cut; ///< how it is cut; by itself, curves are tightened: shorter seams may stretch the map more
   Map_options map; ///< how the disc is mapped
   int family = 1;  ///< how many cuts are compared
   /// w, 0 to 1: the cut with the least (1 - w) length + w stretch is taken, the length divided by the root of the area;

@@ -48,7 +48,7 @@ class Cut_family
 public:
   /// \param root the surface, which must outlive the family
   /// \param size how many members at most; there may be fewer
-  /// \param options what all members share
+  /// \param options what all members share; by itself, curves are tightened
   /// \pre `root` is connected
   Cut_family(const Triangle_surface& root, int size, const Cut_options& options = Cut_options());
   Cut_family(Triangle_surface&& root, int size, const Cut_options& options = Cut_options()) = delete;

@@ -29,7 +29,10 @@ class Unwrapper
 public:
   Unwrapper(const Triangle_surface& root, const Unwrap_options& options)
     : m_root(root), m_options(options), m_area(area(root))
-  {}
+  {
+    // shorter seams stretch the map of a lattice by up to a tenth more
+    if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
+  }
 
   Unwrapping run();
 
@@ -130,7 +133,7 @@ private:
 
   static constexpr double useless_stretch = 100;
   const Triangle_surface& m_root;
-  const Unwrap_options& m_options;
+  Unwrap_options m_options;
   const double m_area;
   Cut_options m_chosen;
   Unwrapping m_best;
