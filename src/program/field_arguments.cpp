@@ -12,6 +12,7 @@
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/examine_surface.h>
 #include <meridian/surface/measures.h>
+#include <meridian/surface/renumber.h>
 #include <meridian/surface/visibility.h>
 
 #include <algorithm>
@@ -67,7 +68,7 @@ void check_arguments(const Field_arguments& a)
 void check_vertex(const char* option, Index v, const Examination& examination)
 {
   for (const Surface_component& c : examination.components)
-    if (std::binary_search(c.vertex_of.begin(), c.vertex_of.end(), v)) { return; }
+    if (find_local(v, c) >= 0) { return; }
   throw Usage_error(std::string(option) + ": no face of the mesh has a vertex " + std::to_string(v)
                     + "; vertices are counted from 0");
 }
@@ -82,7 +83,13 @@ Loaded_mesh load_mesh(const Field_arguments& a)
   };
   loaded.seconds_reading = timed([&] { loaded.soup = files::read_mesh(a.mesh); });
   heed_interrupts();
-  loaded.seconds_examining = timed([&] { loaded.examination = examine_surface(loaded.soup, a.repair); });
+  loaded.seconds_examining = timed([&] {
+    loaded.examination = examine_surface(loaded.soup, a.repair);
+    for (Surface_component& c : loaded.examination.components)
+    {
+      if (is_scattered(c.surface)) { renumber(c); }
+    }
+  });
   for (Index v : a.minima) { check_vertex("--minimum", v, loaded.examination); }
   for (Index v : a.maxima) { check_vertex("--maximum", v, loaded.examination); }
   if (a.has_from) { check_vertex("--from", a.from, loaded.examination); }
@@ -103,8 +110,8 @@ std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_
   std::vector<Index> found;
   for (Index v : vertices)
   {
-    const auto at = std::lower_bound(c.vertex_of.begin(), c.vertex_of.end(), v);
-    if (at != c.vertex_of.end() && *at == v) { found.push_back(static_cast<Index>(at - c.vertex_of.begin())); }
+    const auto at = std::find(c.vertex_of.begin(), c.vertex_of.end(), v);
+    if (at != c.vertex_of.end()) { found.push_back(static_cast<Index>(at - c.vertex_of.begin())); }
   }
   return found;
 }

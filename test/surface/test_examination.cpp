@@ -4,8 +4,11 @@
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
+#include <meridian/proof/verify_cut.h>
+#include <meridian/result/assemble_result.h>
 #include <meridian/result/recount.h>
 #include <meridian/surface/examine_surface.h>
+#include <meridian/surface/renumber.h>
 
 using namespace meridian;
 
@@ -210,4 +213,71 @@ BOOST_AUTO_TEST_CASE(all_points_in_one_place_are_cut_too)
   BOOST_TEST(curves_of(of_curves.cuts.front(), Curve_kind::MERIDIAN).size() == 2u);
   for (const auto& failure : of_curves.verification.failures) { BOOST_ERROR(failure); }
   for (const auto& failure : run.verification.failures) { BOOST_ERROR(failure); }
+}
+
+namespace {
+
+// Says that a component is the soup that it came from, whatever its numbers: its faces are the soup's, corner by corner
+// but for those turned over, each once, at the soup's points, and its twins are those of its edges.
+void check_is_soup(const Surface_component& c, const Polygon_soup& soup)
+{
+  const Triangle_surface& s = c.surface;
+  std::set<Index> faces, vertices;
+  for (Index f = 0; f < s.number_of_faces(); ++f)
+  {
+    std::array<Index, 3> corners;
+    for (int k = 0; k < 3; ++k) { corners[k] = c.vertex_of[s.triangles[f][k]]; }
+    if (c.is_flipped[f]) { std::swap(corners[1], corners[2]); }
+    const Index polygon = c.polygon_of[f];
+    BOOST_REQUIRE(polygon == c.triangle_of[f]);
+    BOOST_TEST(std::equal(corners.begin(), corners.end(), soup.corners.begin() + soup.begin[polygon]));
+    faces.insert(polygon);
+  }
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    BOOST_TEST((s.points[v] == soup.points[c.vertex_of[v]]));
+    BOOST_TEST(s.source(s.outgoing[v]) == v);
+    vertices.insert(c.vertex_of[v]);
+  }
+  BOOST_TEST(static_cast<Index>(faces.size()) == s.number_of_faces());
+  BOOST_TEST(static_cast<Index>(vertices.size()) == s.number_of_vertices());
+  Triangle_surface again = s;
+  connect(again);
+  BOOST_TEST((again.opposite == s.opposite));
+}
+
+} // namespace
+
+// Numbers change, and nothing else; the shuffled surface lies in order after it, and is cut and recounted as ever.
+BOOST_AUTO_TEST_CASE(renumbering_brings_together_what_is_near)
+{
+  const auto torus = sample::punctured(sample::torus(240, 120), {5, 7777});
+  auto shuffled = sample::soup(sample::renumbered(torus, 3));
+  for (std::size_t f = 0; f < shuffled.number_of_polygons(); f += 7) // some faces are turned over
+  {
+    std::swap(shuffled.corners[shuffled.begin[f] + 1], shuffled.corners[shuffled.begin[f] + 2]);
+  }
+  BOOST_TEST(!is_scattered(torus));
+  for (const auto& small : {sample::torus(40, 20), sample::sphere(0)}) // all of it fits in a cache
+  {
+    BOOST_TEST(!is_scattered(sample::renumbered(small, 3)));
+  }
+  Examination e = examine_surface(shuffled);
+  Surface_component& c = e.components.front();
+  check_is_soup(c, shuffled);
+  BOOST_TEST(is_scattered(c.surface));
+  renumber(c);
+  check_is_soup(c, shuffled);
+  BOOST_TEST(!is_scattered(c.surface));
+  double gap = 0; // of the numbers along an edge
+  for (Index h = 0; h < c.surface.number_of_halfedges(); ++h)
+  {
+    gap += std::abs(double(c.surface.source(h)) - c.surface.target(h)) / c.surface.number_of_halfedges();
+  }
+  BOOST_TEST(gap < 0.05 * c.surface.number_of_vertices()); // a third in no order
+  const std::vector<Cut> cuts{pipeline::cut(c.surface)};
+  for (const auto& failure : verify_cut(shuffled, assemble_result(shuffled, e, cuts).mesh).failures)
+  {
+    BOOST_ERROR(failure);
+  }
 }

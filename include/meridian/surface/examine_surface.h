@@ -16,8 +16,10 @@ namespace meridian {
 struct Surface_component
 {
   Triangle_surface surface;       ///< the component
-  std::vector<Index> vertex_of;   ///< the soup's point of each vertex; ascending, but for those that pinches added
-  std::vector<Index> triangle_of; ///< the soup's triangle of each face, as `for_each_triangle()` counts them; ascending
+  std::vector<Index> vertex_of;   ///< the soup's point of each vertex; ascending, unless renumbered, but for those that
+                                  ///< pinches added
+  std::vector<Index> triangle_of; ///< the soup's triangle of each face, as `for_each_triangle()` counts them;
+                                  ///< ascending, unless renumbered
   std::vector<Index> polygon_of;  ///< the soup's polygon of each face
   std::vector<char> is_flipped;   ///< whether the face was turned over: its last two corners change places
   int boundary_loops = 0;         ///< how many there are
