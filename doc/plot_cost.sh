@@ -45,7 +45,7 @@ grep -h '^| plate, ' "${@:?tables of bench_targets}" | awk -F ' *[|] *' -v svg="
     print "<text x=\"360\" y=\"482\" text-anchor=\"middle\">faces</text><text x=\"80\" y=\"26\">CPU seconds of a whole process</text>" >svg
     peer("libigl, cut_to_disk", "0.03 0.78 4.4 27.6")
     peer("Euclid, tree-cotree", "0.01 0.16 0.72 5.1")
-    draw("unwrap", "#cc79a7"); draw("generators", "#009e73"); draw("cut, graph tightened", "#e69f00"); draw("cut", "#d55e00")
+    draw("unwrap", "#cc79a7"); draw("generators", "#009e73"); draw("cut, curves tightened", "#e69f00"); draw("cut", "#d55e00")
     draw("cut, tree-cotree", "#0072b2"); draw("CGAL reads and writes", "#777777")
     draw("libigl, cut_to_disk", "#999999", 1); draw("Euclid, tree-cotree", "#56b4e9", 1)
     print "</svg>" >svg

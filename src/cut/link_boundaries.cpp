@@ -17,7 +17,7 @@ namespace meridian {
 
 std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
                                                 const Link_options& options, const std::vector<Link_guide>& guides,
-                                                const Progress& progress)
+                                                const Progress& progress, std::vector<Index>* parents)
 {
   internal::Slit_surface slit(root, s, options.bifurcations);
   const bool is_closed = slit.number_of_loops() == 0;
@@ -59,6 +59,7 @@ std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Re
       links.push_back(slit.insert(sleeve));
       search.grow();
     }
+  if (parents) { parents->insert(parents->end(), slit.parents.begin(), slit.parents.end()); }
   return links;
 }
 

@@ -234,13 +234,10 @@ private:
 
 } // namespace
 
-namespace {
-
-// Lowers the distortion of a level. It is a map as it is, so what cannot be solved is left.
 void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, const Distortion_options& options,
-                      bool is_coarsest, const Progress& progress)
+                      bool is_near, const Progress& progress)
 {
-  Distortion_minimizer minimizer(s, true, at, options.make_solver, !is_coarsest);
+  Distortion_minimizer minimizer(s, true, at, options.make_solver, is_near);
   constexpr int few = 4;
   constexpr double little = 1e-3; // to be gained by a step, on average of a few
   std::array<double, few> gained; // by the last of them
@@ -258,8 +255,6 @@ void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, c
   catch (const Solver_error&)
   {}
 }
-
-} // namespace
 
 std::vector<Plane_point> map_by_levels(const Triangle_surface& disc, const Distortion_options& options,
                                        const Progress& progress)
@@ -294,7 +289,7 @@ std::vector<Plane_point> map_by_levels(const Triangle_surface& disc, const Disto
     Distortion_options here = options;
     if (l + 1 < n) { here.iterations = std::min(options.iterations, near_steps); }
     if (l > 0) { here.least_gain = std::max(options.least_gain, coarse_gain); }
-    lower_distortion(s, part, here, l + 1 == n, [&](double done) {
+    lower_distortion(s, part, here, l + 1 < n, [&](double done) {
       if (progress) { progress((static_cast<double>(n - 1 - l) + done) / static_cast<double>(n)); }
     });
     if (l == 0) { break; }

@@ -113,6 +113,14 @@ void place_in_unit_square(std::vector<Plane_point>& at)
     for (int k = 0; k < 2; ++k) { p[k] = size > 0 ? std::nearbyint((p[k] - low[k]) / size * grid) / grid : 0; }
 }
 
+// Counts and measures what there is to say of a map.
+void measure(const Triangle_surface& disc, Parameterization& map)
+{
+  map.is_one_to_one = map.flipped.empty() && is_one_to_one(disc, map.at);
+  map.faces = measure_faces(disc.points, disc.triangles, map.at);
+  map.distortion = measure_distortion(disc.points, disc.triangles, map.at, map.faces);
+}
+
 } // namespace
 
 void check(const Map_options& o)
@@ -180,10 +188,23 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     if (best.flipped.empty()) { break; }
   }
   if (best.at.empty()) { throw Solver_error("the disc has no map into the plane: " + best.attempts.back().reason); }
-  best.is_one_to_one = best.flipped.empty() && is_one_to_one(disc, best.at);
-  best.faces = measure_faces(disc.points, disc.triangles, best.at);
-  best.distortion = measure_distortion(disc.points, disc.triangles, best.at, best.faces);
+  measure(disc, best);
   return best;
+}
+
+Parameterization improve_map(const Triangle_surface& disc, std::vector<Plane_point> at, const Map_options& options,
+                             const Progress& progress)
+{
+  Distortion_options distortion;
+  distortion.make_solver = options.make_solver;
+  internal::lower_distortion(disc, at, distortion, true, progress);
+  place_in_unit_square(at);
+  Parameterization map;
+  map.flipped = find_flipped_faces(disc.triangles, at);
+  map.at = std::move(at);
+  map.attempts.push_back({map.method, map.border, static_cast<Index>(map.flipped.size()), ""});
+  measure(disc, map);
+  return map;
 }
 
 } // namespace meridian

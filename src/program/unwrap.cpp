@@ -265,7 +265,7 @@ std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::
     }
     if (!u.extensions.empty() && arguments.max_stretch == 0)
     {
-      notes.push_back(component + "the cut was extended, because its map was of no use");
+      notes.push_back(component + "the cut was extended, because its map was of no use, or stretched too much");
     }
     if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
     {

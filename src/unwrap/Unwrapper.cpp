@@ -6,6 +6,7 @@
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/map/Parameterization.h>
 #include <meridian/map/parameterize_disc.h>
+#include <meridian/unwrap/carry_map.h>
 #include <meridian/unwrap/cut_family.h>
 #include <meridian/unwrap/square_border.h>
 
@@ -145,8 +146,8 @@ void Unwrapper::vary_links()
       break;
     }
     for (std::size_t i = 0; i < peaks.size() && !goes_on; ++i)
-      goes_on =
-        extend_to(peaks[i], m_best.variations, [&](const Unwrapping& tried) { return is_better(tried, m_best); });
+      goes_on = extend_to(
+        {peaks[i]}, m_best.variations, [&](const Unwrapping& tried) { return is_better(tried, m_best); }, false);
   }
 }
 
@@ -157,6 +158,22 @@ bool Unwrapper::is_useless() const
   return !m_best.map.flipped.empty() || (could_unfold && m_best.map.distortion.stretch_l2 > useless_stretch);
 }
 
+bool Unwrapper::go_on_from_best(Unwrapping& u, const std::vector<Index>& parents)
+{
+  const Parameterization& m = m_best.map;
+  const bool is_of_use = m.method == Map_method::SYMMETRIC_DIRICHLET && m.border == Map_border::FREE && m.is_one_to_one;
+  if (!is_of_use || m_options.image_size > 0) { return false; }
+  const Stage_runner run{m_options.cut.observer, u.cut.seconds};
+  run(Stage::PARAMETERIZE, [&] {
+    std::vector<Plane_point> at = carry_map(m_best.cut, m.at, u.cut, parents);
+    if (at.empty()) { return; }
+    u.disc = surface_of(u.cut.surface, u.cut.opened);
+    u.map =
+      improve_map(u.disc, std::move(at), m_options.map, [&](double done) { run.progress(Stage::PARAMETERIZE, done); });
+  });
+  return u.map.is_one_to_one;
+}
+
 void Unwrapper::extend()
 {
   const auto is_progress = [&](const Unwrapping& u) {
@@ -165,6 +182,15 @@ void Unwrapper::extend()
   };
   const auto may_go_on = [&] { return static_cast<int>(m_best.extensions.size()) < m_options.extensions; };
   for (bool goes_on = true; goes_on && may_go_on() && is_useless();) { goes_on = extend_to_useless(is_progress); }
+  const bool could_unfold =
+    m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
+  constexpr int rounds = 8;
+  constexpr std::size_t at_once = 4;
+  for (int i = 0; i < rounds && could_unfold && may_go_on() && m_best.map.distortion.stretch_l2 > fair_stretch; ++i)
+  {
+    const auto peaks = find_stretched_vertices(m_best.disc, m_best.map, at_once);
+    if (!extend_to(peaks, m_best.extensions, is_progress, true)) { break; }
+  }
   for (bool goes_on = true;
        goes_on && may_go_on() && m_options.max_stretch > 0 && m_best.map.distortion.stretch_l2 > m_options.max_stretch;)
   {
@@ -172,7 +198,7 @@ void Unwrapper::extend()
     const auto peaks = find_stretched_vertices(m_best.disc, m_best.map, 4);
     for (std::size_t i = 0; i < peaks.size() && !goes_on; ++i)
     {
-      goes_on = extend_to(peaks[i], m_best.extensions, is_progress);
+      goes_on = extend_to({peaks[i]}, m_best.extensions, is_progress, false);
     }
   }
 }

@@ -16,13 +16,16 @@
 
 namespace meridian {
 
-void extend_cut(const Triangle_surface& root, Cut& cut, Index vertex, bool on_edges)
+std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, Index vertex, bool on_edges)
 {
+  std::vector<Index> parents;
   Link_options options;
   options.source = vertex;
   add_curves(cut, Curve_kind::LINK,
-             on_edges ? link_boundaries_on_edges(cut.surface, vertex) : link_boundaries(root, cut.surface, options));
+             on_edges ? link_boundaries_on_edges(cut.surface, vertex)
+                      : link_boundaries(root, cut.surface, options, {}, {}, &parents));
   open_cut(cut);
+  return parents;
 }
 
 void divide_border_chords(const Triangle_surface& root, Cut& cut)

@@ -51,8 +51,8 @@ struct Cut_options
 };
 
 /// \ingroup PkgMeridianCut
-/// \returns what is made shorter: what was chosen, or else the whole graph of meridians and links. Only the curves are if
-///          the method is not `By_contours`, or where the graph would move away from what was chosen about it: by a
+/// \returns what is made shorter: what was chosen, or else the whole graph of meridians and links. Only the curves are
+///          if the method is not `By_contours`, or where the graph would move away from what was chosen about it: by a
 ///          preference, about levels, about links, or to divide edges where needed
 /// \param options the choices
 Tightening tightening_of(const Cut_options& options);

@@ -32,6 +32,19 @@ namespace meridian {
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options = Map_options(),
                                    const Progress& progress = {});
 
+/// \ingroup PkgMeridianParameterization
+/// goes on from a map of low distortion with a free border, which may have been one of a disc opened less far.
+/// \param disc the surface
+/// \param at its map, one-to-one
+/// \param options their solver is used
+/// \param progress told how much is done
+/// \returns the map at the end, of method `SYMMETRIC_DIRICHLET`; faces may be flipped where rounding
+///          shrinks them to nothing
+/// \par Complexity
+/// one factorization of twice the size of the disc for each of a few steps
+Parameterization improve_map(const Triangle_surface& disc, std::vector<Plane_point> at,
+                             const Map_options& options = Map_options(), const Progress& progress = {});
+
 } // namespace meridian
 
 #endif // MERIDIAN_MAP_PARAMETERIZE_DISC_H

@@ -20,10 +20,11 @@ namespace meridian {
  * \param cut its cut
  * \param vertex a vertex of `cut.surface` that lies on no seam and no boundary
  * \param on_edges whether the path runs along existing edges
+ * \returns for each face that is appended to `cut.surface`, the face that it was a part of
  * \par Complexity
  * \f$ O(n \log n) \f$
  */
-void extend_cut(const Triangle_surface& root, Cut& cut, Index vertex, bool on_edges);
+std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, Index vertex, bool on_edges);
 
 /*!
  * \ingroup PkgMeridianParameterization

@@ -109,8 +109,8 @@ private:
 
   // Puts the shortest way through the cells of a path in its place, if that is shorter.
   bool straighten(Index side);
-  // With the path taken out, grows the other cells through its own. Returns where the shortest way passes that parts its
-  // two sides, if it is shorter than `limit`.
+  // With the path taken out, grows the other cells through its own. Returns where the shortest way passes that parts
+  // its two sides, if it is shorter than `limit`.
   Candidate search_cells(Index side, double limit);
   // Whether a vertex lies in the cells of the path that is taken out, or on it.
   bool is_free(Index v) const { return m_cell[v] == m_taken_out[0] || m_cell[v] == m_taken_out[1]; }

@@ -63,7 +63,11 @@ private:
   // could have avoided it.
   bool is_useless() const;
 
-  // To such parts as long as there are some, then to the regions of highest stretch (Gu, Gortler, Hoppe 2002).
+  // Goes on from the best map, whose cut was extended to that of `u`. Returns whether there is a map then.
+  bool go_on_from_best(Unwrapping& u, const std::vector<Index>& parents);
+
+  // To such parts as long as there are some, then to the regions of highest stretch (Gu, Gortler, Hoppe 2002): to
+  // several at once while it is not fair, and one by one while it is more than was asked for.
   void extend();
 
   // To some vertices of faces that are flipped or all but vanish: each time to the one deepest inside the disc, until
@@ -102,24 +106,38 @@ private:
   }
 
   template <class Is_progress>
-  bool extend_to(Index vertex, std::vector<Unwrap_step>& record, const Is_progress& is_progress)
+  bool extend_to(const std::vector<Index>& vertices, std::vector<Unwrap_step>& record, const Is_progress& is_progress,
+                 bool goes_on)
   {
     Unwrapping u;
     u.cut = m_best.cut;
-    extend_cut(m_root, u.cut, vertex, m_chosen.on_edges);
-    return judge("extended to vertex " + std::to_string(vertex), std::move(u), record, is_progress);
+    std::vector<Index> parents;
+    std::string name;
+    for (Index v : vertices)
+    {
+      bool is_reached = false; // by the path to one before it
+      u.cut.surface.for_each_outgoing(v, [&](Index h) { is_reached = is_reached || u.cut.surface.seam[h]; });
+      if (is_reached) { continue; }
+      const auto more = extend_cut(m_root, u.cut, v, m_chosen.on_edges);
+      parents.insert(parents.end(), more.begin(), more.end());
+      name += (name.empty() ? "extended to vertex " : ", ") + std::to_string(v);
+    }
+    if (u.cut.curves.size() == m_best.cut.curves.size()) { return false; }
+    const bool has_map = goes_on && go_on_from_best(u, parents);
+    return judge(name, std::move(u), record, is_progress, has_map);
   }
 
   // Recounts a cut, maps it, and takes it if it is better. The record is part of the best.
   template <class Is_progress>
-  bool judge(const std::string& name, Unwrapping&& u, std::vector<Unwrap_step>& record, const Is_progress& is_progress)
+  bool judge(const std::string& name, Unwrapping&& u, std::vector<Unwrap_step>& record, const Is_progress& is_progress,
+             bool has_map = false)
   {
     const Verification recount = verify_cut(m_root, u.cut);
     if (!recount)
     {
       throw Internal_error("unwrap_surface: the recount of a cut " + name + " found " + recount.failures.front());
     }
-    const std::string failure = try_to_map(u);
+    const std::string failure = has_map ? "" : try_to_map(u);
     if (!failure.empty())
     {
       record.push_back({name, u.cut.length, 0, m_options.map.method, -1, false, failure});
@@ -131,7 +149,7 @@ private:
     return is_taken;
   }
 
-  static constexpr double useless_stretch = 100;
+  static constexpr double useless_stretch = 100, fair_stretch = 2;
   const Triangle_surface& m_root;
   Unwrap_options m_options;
   const double m_area;
