@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <set>
 #include <tuple>
 #include <type_traits>
 
@@ -86,22 +85,31 @@ double curve_length(const Normal_curves& curves, Index c)
   return sum + distance(last, s.points[curves.vertex({c, true})]);
 }
 
+namespace {
+
+// The curves that end at some vertices, each once, by number.
+std::vector<Index> curves_at(const Normal_curves& curves, std::initializer_list<Index> vertices)
+{
+  std::vector<Index> all;
+  for (Index v : vertices)
+    for (const Network_end& e : curves.ends_at(v)) { all.push_back(e.curve); }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+} // namespace
+
 double length_around(const Normal_curves& curves, std::initializer_list<Index> vertices)
 {
-  std::set<Index> all;
-  for (Index v : vertices)
-    for (const Network_end& e : curves.ends_at(v)) { all.insert(e.curve); }
   double sum = 0;
-  for (Index c : all) { sum += curve_length(curves, c); }
+  for (Index c : curves_at(curves, vertices)) { sum += curve_length(curves, c); }
   return sum;
 }
 
 void tighten_around(Normal_curves& curves, std::initializer_list<Index> vertices, const Tighten_options& options)
 {
-  std::set<Index> all;
-  for (Index v : vertices)
-    for (const Network_end& e : curves.ends_at(v)) { all.insert(e.curve); }
-  for (Index c : all) { tighten_curve(curves, c, options); }
+  for (Index c : curves_at(curves, vertices)) { tighten_curve(curves, c, options); }
 }
 
 std::vector<Vertex_move> find_vertex_moves(const Normal_curves& curves, const Network_star& star)
