@@ -25,6 +25,10 @@ namespace meridian {
 
 namespace {
 
+// Vertices of discs that are mapped without levels, and by one method after the other: of larger ones that takes minutes
+// and hardly comes to a good end, while an extension of the cut helps.
+constexpr Index most_at_once = 100000;
+
 // The corners of a square, which lie at the quarters of the border, and points along its sides between them.
 std::vector<Plane_point> place_on_square(const std::vector<double>& places)
 {
@@ -63,7 +67,6 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   {
     return internal::map_with_cgal(disc, method, border == Map_border::SQUARE, at);
   }
-  constexpr Index most_at_once = 100000; // vertices: without levels more take minutes, and hardly come to a good end
   Distortion_options distortion;
   distortion.has_free_border = border == Map_border::FREE;
   distortion.make_solver = options.make_solver;
@@ -158,6 +161,7 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     for (Map_method m : {Map_method::POSITIVE, Map_method::TUTTE, Map_method::STRETCH}) { add(m, border); }
 
   Parameterization best;
+  bool has_no_levels = false;
   for (const auto& [method, border] : choices)
   {
     std::vector<Plane_point> at;
@@ -173,6 +177,9 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     if (!reason.empty())
     {
       best.attempts.push_back({method, border, -1, reason});
+      has_no_levels = has_no_levels
+                      || (method == Map_method::SYMMETRIC_DIRICHLET && border == Map_border::FREE
+                          && disc.number_of_vertices() > most_at_once);
       continue;
     }
     place_in_unit_square(at);
@@ -185,7 +192,7 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
       best.border = border;
       best.flipped = std::move(flipped);
     }
-    if (best.flipped.empty()) { break; }
+    if (best.flipped.empty() || has_no_levels) { break; }
   }
   if (best.at.empty()) { throw Solver_error("the disc has no map into the plane: " + best.attempts.back().reason); }
   measure(disc, best);

@@ -16,13 +16,14 @@ namespace meridian {
  * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a
  * free border, then averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with
  * weights changed until stretch is low; after a square, whose sides may hold all corners of a face, a circle, unless a
- * polygon is given.
+ * polygon is given. If a disc of more than 100 000 vertices has no map with a free border, only one safer method is
+ * tried: the faces that it flips say where the cut should be extended.
  *
  * \param disc the surface
  * \param options see there
  * \param progress told how much is done of maps of low distortion
  *
- * \returns the first map without flipped faces, or, if there is none, that with the fewest
+ * \returns the first map without flipped faces, or, if there is none, that of those tried with the fewest
  * \pre `disc` is a disc
  * \throws Invalid_input_error as `check()`, Solver_error if no method gives a map
  * \par Complexity
