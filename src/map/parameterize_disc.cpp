@@ -25,8 +25,8 @@ namespace meridian {
 
 namespace {
 
-// Vertices of discs that are mapped without levels, and by one method after the other: of larger ones that takes minutes
-// and hardly comes to a good end, while an extension of the cut helps.
+// Vertices of discs that are mapped without levels, and by one method after the other: of larger ones that takes
+// minutes and hardly comes to a good end, while an extension of the cut helps.
 constexpr Index most_at_once = 100000;
 
 // The corners of a square, which lie at the quarters of the border, and points along its sides between them.

@@ -47,13 +47,6 @@ struct Vertex_sort_traits
   const std::vector<Point>& points;
 };
 
-std::vector<Index> identity(Index n)
-{
-  std::vector<Index> order(n);
-  std::iota(order.begin(), order.end(), Index(0));
-  return order;
-}
-
 std::vector<Index> inverse(const std::vector<Index>& order)
 {
   std::vector<Index> place(order.size());
@@ -102,7 +95,8 @@ bool is_scattered(const Triangle_surface& s)
 void renumber(Surface_component& c)
 {
   Triangle_surface& s = c.surface;
-  std::vector<Index> vertices = internal::identity(s.number_of_vertices());
+  std::vector<Index> vertices(s.number_of_vertices());
+  std::iota(vertices.begin(), vertices.end(), Index(0));
   CGAL::hilbert_sort(vertices.begin(), vertices.end(), internal::Vertex_sort_traits{s.points});
   const std::vector<Index> place = internal::inverse(vertices);
   for (auto& corners : s.triangles)

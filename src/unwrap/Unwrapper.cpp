@@ -151,23 +151,24 @@ void Unwrapper::vary_links()
   }
 }
 
+bool Unwrapper::could_unfold() const
+{
+  return m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
+}
+
 bool Unwrapper::is_useless() const
 {
-  const bool could_unfold =
-    m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
-  return !m_best.map.flipped.empty() || (could_unfold && m_best.map.distortion.stretch_l2 > useless_stretch);
+  return !m_best.map.flipped.empty() || (could_unfold() && m_best.map.distortion.stretch_l2 > useless_stretch);
 }
 
 bool Unwrapper::go_on_from_best(Unwrapping& u, const std::vector<Index>& parents)
 {
-  const Parameterization& m = m_best.map;
-  const bool is_of_use = m.method == Map_method::SYMMETRIC_DIRICHLET && m.border == Map_border::FREE && m.is_one_to_one;
-  if (!is_of_use || m_options.image_size > 0) { return false; }
+  if (!could_unfold() || !m_best.map.is_one_to_one || m_options.image_size > 0) { return false; }
   const Stage_runner run{m_options.cut.observer, u.cut.seconds};
   run(Stage::PARAMETERIZE, [&] {
-    std::vector<Plane_point> at = carry_map(m_best.cut, m.at, u.cut, parents);
-    if (at.empty()) { return; }
     u.disc = surface_of(u.cut.surface, u.cut.opened);
+    std::vector<Plane_point> at = carry_map(m_best.cut, m_best.map.at, u.cut, u.disc, parents);
+    if (at.empty()) { return; }
     u.map =
       improve_map(u.disc, std::move(at), m_options.map, [&](double done) { run.progress(Stage::PARAMETERIZE, done); });
   });
@@ -182,11 +183,9 @@ void Unwrapper::extend()
   };
   const auto may_go_on = [&] { return static_cast<int>(m_best.extensions.size()) < m_options.extensions; };
   for (bool goes_on = true; goes_on && may_go_on() && is_useless();) { goes_on = extend_to_useless(is_progress); }
-  const bool could_unfold =
-    m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
   constexpr int rounds = 8;
   constexpr std::size_t at_once = 4;
-  for (int i = 0; i < rounds && could_unfold && may_go_on() && m_best.map.distortion.stretch_l2 > fair_stretch; ++i)
+  for (int i = 0; i < rounds && could_unfold() && may_go_on() && m_best.map.distortion.stretch_l2 > fair_stretch; ++i)
   {
     const auto peaks = find_stretched_vertices(m_best.disc, m_best.map, at_once);
     if (!extend_to(peaks, m_best.extensions, is_progress, true)) { break; }

@@ -3,8 +3,6 @@
 
 #include <meridian/map/is_one_to_one.h>
 #include <meridian/map/planar_map.h>
-#include <meridian/surface/Triangle_surface.h>
-#include <meridian/surface/open_along.h>
 
 #include <algorithm>
 #include <array>
@@ -33,11 +31,8 @@ Plane_point place_on_side(const Cut& before, const std::vector<Plane_point>& at,
   Plane_point place{0, 0};
   for (int k = 0; k < 3; ++k)
   {
-    std::array<Index, 2> ends{corners[k], corners[(k + 1) % 3]};
-    if (original(before, ends[1]) < original(before, ends[0]))
-    {
-      std::swap(ends[0], ends[1]);
-    } // the same on both sides
+    std::array<Index, 2> ends{corners[k], corners[(k + 1) % 3]}; // in the same order in both faces of a side
+    if (original(before, ends[1]) < original(before, ends[0])) { std::swap(ends[0], ends[1]); }
     const Point from = before.surface.points[original(before, ends[0])],
                 along = before.surface.points[original(before, ends[1])] - from;
     const double square = dot(along, along), t = square > 0 ? std::clamp(dot(p - from, along) / square, 0., 1.) : 0.5;
@@ -105,10 +100,9 @@ void move_inside(const Triangle_surface& disc, Index in, Index out, const std::v
 } // namespace internal
 
 std::vector<Plane_point> carry_map(const Cut& before, const std::vector<Plane_point>& at, const Cut& after,
-                                   const std::vector<Index>& parents)
+                                   const Triangle_surface& disc, const std::vector<Index>& parents)
 {
   const std::vector<Plane_point> drawn = internal::draw_paths(before, at, after, parents);
-  const Triangle_surface disc = surface_of(after.surface, after.opened);
   const std::vector<Index> loop = boundary_loops(disc).front();
   std::vector<Index> copies(after.surface.number_of_vertices(), 0); // of each vertex of a new path
   std::vector<char> is_new(after.surface.number_of_vertices(), 0);

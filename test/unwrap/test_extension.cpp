@@ -94,8 +94,8 @@ BOOST_DATA_TEST_CASE(a_map_is_carried_over_to_an_extended_cut,
     }
   }
   BOOST_REQUIRE(after.curves.size() > before.curves.size());
-  const auto at = carry_map(before, map.at, after, parents);
   const Triangle_surface opened = surface_of(after.surface, after.opened);
+  const auto at = carry_map(before, map.at, after, opened, parents);
   BOOST_REQUIRE(at.size() == opened.points.size());
   BOOST_TEST(is_one_to_one(opened, at));
   // the images of each vertex of the cut surface, before and after

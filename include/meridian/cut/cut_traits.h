@@ -43,7 +43,7 @@ template <class Traits> Cut_options with_traits(Cut_options options, const Trait
       if constexpr (std::is_base_of_v<Meridian_options, Method>)
       {
         method.preference = nullptr;
-        if constexpr (!std::is_same_v<Traits, Default_cut_traits>) // which has nobody prefer anything
+        if constexpr (!std::is_same_v<Traits, Default_cut_traits>) // its preference is the default
         {
           method.preference = [traits](const Loop_candidate& loop) { return traits.preference(loop); };
         }

@@ -4,6 +4,7 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace meridian {
  * \param before the cut that was mapped
  * \param at the image of each vertex of its disc, one-to-one
  * \param after the same cut, extended, whose new curves are the last in `curves`
+ * \param disc what it was opened to
  * \param parents what the calls of `extend_cut()` returned, one after the other
  *
  * \returns the image of each vertex of the new disc, one-to-one by exact signs; nothing if double precision has no room
@@ -27,7 +29,7 @@ namespace meridian {
  * Linear, and \f$ O(b \log b) \f$ for a border of `b` vertices
  */
 std::vector<Plane_point> carry_map(const Cut& before, const std::vector<Plane_point>& at, const Cut& after,
-                                   const std::vector<Index>& parents);
+                                   const Triangle_surface& disc, const std::vector<Index>& parents);
 
 } // namespace meridian
 

@@ -59,8 +59,11 @@ private:
   // Other links between the same meridians, as long as one of them is better.
   void vary_links();
 
-  // Whether a map is of no use: faces are flipped, or a part of the surface shrank to almost nothing in a map that
-  // could have avoided it.
+  // Whether the best map is of the kind that unfolds what a cut lets unfold.
+  bool could_unfold() const;
+
+  // Whether it is of no use: faces are flipped, or a part of the surface shrank to almost nothing in a map that could
+  // unfold.
   bool is_useless() const;
 
   // Goes on from the best map, whose cut was extended to that of `u`. Returns whether there is a map then.
