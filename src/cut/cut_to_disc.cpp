@@ -32,7 +32,9 @@ void link(const Triangle_surface& root, const Cut_options& options, const std::v
   if (options.on_edges && options.tightening != Tightening::GRAPH
       && (cut.genus == 0 || moves_onto_edges(options.method)))
   {
-    add_curves(cut, Curve_kind::LINK, link_boundaries_on_edges(cut.surface, options.links.source));
+    std::vector<Index> points;
+    if (options.links.source >= 0) { points.push_back(options.links.source); }
+    add_curves(cut, Curve_kind::LINK, link_boundaries_on_edges(cut.surface, points));
     return;
   }
   if (options.link_domain == Link_domain::PLANE)

@@ -17,11 +17,13 @@ namespace meridian {
 
 std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
                                                 const Link_options& options, const std::vector<Link_guide>& guides,
-                                                const Progress& progress, std::vector<Index>* parents)
+                                                const Progress& progress, std::vector<Index>* parents,
+                                                const std::vector<Index>& points)
 {
   internal::Slit_surface slit(root, s, options.bifurcations);
   const bool is_closed = slit.number_of_loops() == 0;
   if (options.source >= 0) { slit.add_point(options.source); }
+  for (Index v : points) { slit.add_point(v); }
   if (is_closed && slit.number_of_loops() < 2)
   {
     const auto [from, to] = find_distant_nodes(s, make_closed_model(s));

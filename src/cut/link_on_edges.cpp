@@ -24,12 +24,12 @@ namespace {
 class Edge_linker
 {
 public:
-  explicit Edge_linker(Refined_surface& s, Index source)
+  Edge_linker(Refined_surface& s, const std::vector<Index>& points)
     : m_surface(s), m_slit(s, s, true), m_distance(s.number_of_vertices(), std::numeric_limits<double>::infinity()),
       m_by(s.number_of_vertices(), -1), m_is_used(s.number_of_vertices(), 0)
   {
     const bool is_closed = m_slit.number_of_loops() == 0;
-    if (source >= 0) { m_slit.add_point(source); }
+    for (Index v : points) { m_slit.add_point(v); }
     if (is_closed)
     {
       const auto [from, to] = find_distant_nodes(s, make_closed_model(s)); // a closed surface's nodes are its vertices
@@ -115,9 +115,9 @@ private:
 
 } // namespace internal
 
-std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, Index source)
+std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, const std::vector<Index>& points)
 {
-  internal::Edge_linker linker(s, source);
+  internal::Edge_linker linker(s, points);
   std::vector<std::vector<Index>> links;
   if (linker.number_of_loops() < 2) { return links; } // a disc already
   linker.join(0);

@@ -12,13 +12,15 @@ namespace meridian {
 namespace internal {
 
 void Laplace_system::solve(const std::vector<Index>& unknown, const std::function<double(Index)>& known,
-                           std::vector<double>& x)
+                           std::vector<double>& x, const std::vector<double>& source)
 {
   solve(
-    unknown, 1, [&](Index a, double* value) { *value = known(a); }, [&](Index a, int, double value) { x[a] = value; });
+    unknown, 1, [&](Index a, double* value) { *value = known(a); }, [&](Index a, int, double value) { x[a] = value; },
+    source);
 }
 
-void Laplace_system::solve(const std::vector<Index>& unknown, int sides, const Known_values& known, const Write& write)
+void Laplace_system::solve(const std::vector<Index>& unknown, int sides, const Known_values& known, const Write& write,
+                           const std::vector<double>& source)
 {
   if (unknown.empty()) { return; }
   const std::size_t n = unknown.size();
@@ -28,6 +30,7 @@ void Laplace_system::solve(const std::vector<Index>& unknown, int sides, const K
   std::vector<double> solution;
   for (int k = 0; k < sides; ++k)
   {
+    for (std::size_t i = 0; i < n && !source.empty(); ++i) { right[k][i] += source[unknown[i]]; }
     if (!is_factored || !solver->solve(right[k], solution))
       throw Solver_error("the system of " + std::to_string(n)
                          + " equations cannot be factorized; the symmetric positive weights are the safest");

@@ -62,7 +62,8 @@ struct Unwrap_arguments : Cut_arguments // with a family, the best of its member
   Map_method parameterization = Map_method::SYMMETRIC_DIRICHLET;
   Map_border border = Map_border::FREE;
   bool has_border = false;
-  double stretch_weight = 0, max_stretch = 0;
+  double stretch_weight = 0;
+  std::optional<double> max_stretch;       // 0: the shortest seams
   std::string layout, texture, distortion; // paths, or empty
   int geometry_image = 0;                  // pixels along a side, or 0
 };

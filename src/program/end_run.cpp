@@ -18,14 +18,17 @@ int end_run(const Common_arguments& arguments, const Verification& verification,
   {
     std::cerr << "meridian: not verified: " << failure << '\n';
   }
+  for (const std::string& missed : words.missed) { std::cerr << "meridian: not met: " << missed << '\n'; }
   if (!arguments.quiet)
   {
     for (const std::string& repair : words.repairs) { std::cout << "note: " << repair << '\n'; }
     for (const std::string& note : words.notes) { std::cout << note << '\n'; }
-    std::cout << (verification ? "verified: " : "NOT verified, nothing but the report was written: ") << words.summary
-              << '\n';
+    std::cout << (!verification          ? "NOT verified, nothing but the report was written: "
+                  : words.missed.empty() ? "verified: "
+                                         : "NOT as wished: ")
+              << words.summary << '\n';
   }
-  return verification ? VERIFIED : NOT_VERIFIED;
+  return verification && words.missed.empty() ? VERIFIED : NOT_VERIFIED;
 }
 
 } // namespace program

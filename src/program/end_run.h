@@ -19,6 +19,8 @@ struct Last_words
   std::vector<std::string> repairs; // each becomes a note
   std::vector<std::string> notes;   // lines as they are
   std::string summary;
+  // wishes that were not met: the files are written, but nothing is called verified
+  std::vector<std::string> missed = {};
 };
 
 // Writes the files, all or none, and says what was found. Returns the exit status.

@@ -155,7 +155,8 @@ Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
           {"areal", d.areal},
           {"family", report_steps(u.members, unit)},
           {"links", report_steps(u.variations, unit)},
-          {"extensions", report_steps(u.extensions, unit)}};
+          {"extensions", report_steps(u.extensions, unit)},
+          {"extended_to", u.extended}};
 }
 
 // The distortion of each face of a result, with numbers in place of infinity.
@@ -246,8 +247,13 @@ std::string format_distortion(const Unwrap_arguments& arguments, const Result_me
   return files::format_mesh(arguments.distortion, closed_mesh(mesh), values);
 }
 
+std::string count_of(std::size_t count, const char* one, const char* more)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : more);
+}
+
 // What a person should know of the maps and the geometry image.
-std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::vector<Unwrapping>& unwrapped,
+std::vector<std::string> notes_of(const std::vector<Unwrapping>& unwrapped, const std::vector<std::string>& warnings,
                                   const Json& report)
 {
   std::vector<std::string> notes;
@@ -263,18 +269,13 @@ std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::
                       + (asked.flipped < 0 ? "gave no map: " + asked.reason
                                            : "left " + std::to_string(asked.flipped) + " flipped faces"));
     }
-    if (!u.extensions.empty() && arguments.max_stretch == 0)
+    if (u.extended > 0)
     {
-      notes.push_back(component + "the cut was extended, because its map was of no use, or stretched too much");
-    }
-    if (arguments.max_stretch > 0 && u.map.distortion.stretch_l2 > arguments.max_stretch)
-    {
-      std::ostringstream note;
-      note << component << "the stretch is " << u.map.distortion.stretch_l2
-           << "; no further extension of the cut lowered it";
-      notes.push_back(note.str());
+      notes.push_back(component + "the cut was extended to " + count_of(u.extended, "vertex", "vertices")
+                      + " for a lower stretch");
     }
   }
+  for (const std::string& warning : warnings) { notes.push_back("warning: " + warning); }
   if (report.contains("geometry_image"))
   {
     const Json& image = report["geometry_image"];
@@ -285,6 +286,43 @@ std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::
     notes.push_back(note.str());
   }
   return notes;
+}
+
+// Where a stretch is so high that few would want the map.
+std::vector<std::string> warnings_of(const std::vector<Unwrapping>& unwrapped)
+{
+  constexpr double high = 2;
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
+  {
+    const double stretch = unwrapped[i].map.distortion.stretch_l2;
+    if (stretch <= high) { continue; }
+    std::ostringstream warning;
+    warning << "component " << i << ": the L2 stretch is " << stretch << ", more than " << high
+            << ": texture is smeared there";
+    warnings.push_back(warning.str());
+  }
+  return warnings;
+}
+
+// Where a stretch that was asked for was not reached, and why.
+std::vector<std::string> missed_of(const Unwrap_arguments& arguments, const std::vector<Unwrapping>& unwrapped,
+                                   const std::vector<Unwrap_options>& options)
+{
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < unwrapped.size() && arguments.max_stretch.value_or(0) > 0; ++i)
+  {
+    const Unwrapping& u = unwrapped[i];
+    if (u.map.distortion.stretch_l2 <= *arguments.max_stretch) { continue; }
+    std::ostringstream missed;
+    missed << "component " << i << ": the L2 stretch is " << u.map.distortion.stretch_l2 << ", more than the "
+           << *arguments.max_stretch << " asked for; its cut was extended to "
+           << count_of(u.extended, "vertex", "vertices")
+           << (u.extended >= static_cast<std::size_t>(options[i].extensions) ? ", and no more are tried"
+                                                                             : ", and more of them gained too little");
+    all.push_back(missed.str());
+  }
+  return all;
 }
 
 // The files of a verified unwrapping, its report and its geometry image apart.
@@ -353,13 +391,16 @@ int run_unwrap(const Unwrap_arguments& arguments)
     result.components[i]["parameterization"] = report_map(unwrapped[i], options[i], components[i].unit);
     worst = std::max(worst, unwrapped[i].map.distortion.stretch_l2);
   }
+  const std::vector<std::string> warnings = warnings_of(unwrapped), missed = missed_of(arguments, unwrapped, options);
   Json report{{"meridian", MERIDIAN_VERSION},
               {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)},
               {"components", result.components},
               {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
               {"seconds", report_seconds(loaded, result)},
               {"failures", verification.failures},
-              {"verified", static_cast<bool>(verification)}};
+              {"missed", missed},
+              {"warnings", warnings},
+              {"verified", verification && missed.empty()}};
 
   files::Output_files out;
   if (verification && arguments.geometry_image > 0)
@@ -373,8 +414,10 @@ int run_unwrap(const Unwrap_arguments& arguments)
   const std::string caption = counts.str();
   if (verification) { add_unwrapping(out, arguments, loaded, result, unwrapped, texture, caption); }
   return end_run(arguments, verification, out, terminal,
-                 {loaded.examination.repairs, notes_of(arguments, unwrapped, report),
-                  caption + (verification ? "; no face is turned over" : "")});
+                 {loaded.examination.repairs, notes_of(unwrapped, warnings, report),
+                  caption + (verification ? "; no face is turned over" : "")
+                    + (warnings.empty() ? "" : "; WARNING: stretched to more than 2"),
+                  missed});
 }
 
 void add_picture_options(CLI::App& command, Unwrap_arguments& a)
@@ -427,14 +470,17 @@ Command add_unwrap(CLI::App& app)
     ->capture_default_str();
   command
     ->add_option("--max-stretch", a->max_stretch,
-                 "extend the cut to regions of high stretch until the L2 stretch is at most S")
+                 "extend the cut until the L2 stretch is at most S; otherwise until it is 1.1, where that gains enough")
     ->check(CLI::Range(1., 1e300))
     ->type_name("S");
+  command->add_flag("--shortest-seams", "extend the cut only where the L2 stretch is more than 2")
+    ->excludes("--max-stretch");
   add_cut_options(*command, *a, Tightening::CURVES);
   add_picture_options(*command, *a);
   return {command, [a, command] {
             note_cut_options(*command, *a);
             a->has_border = command->count("--border") > 0;
+            if (command->count("--shortest-seams") > 0) { a->max_stretch = 0; }
             return run_unwrap(*a);
           }};
 }

@@ -16,14 +16,14 @@
 
 namespace meridian {
 
-std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, Index vertex, bool on_edges)
+std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, const std::vector<Index>& vertices, bool on_edges)
 {
   std::vector<Index> parents;
   Link_options options;
-  options.source = vertex;
+  options.bifurcations = true;
   add_curves(cut, Curve_kind::LINK,
-             on_edges ? link_boundaries_on_edges(cut.surface, vertex)
-                      : link_boundaries(root, cut.surface, options, {}, {}, &parents));
+             on_edges ? link_boundaries_on_edges(cut.surface, vertices)
+                      : link_boundaries(root, cut.surface, options, {}, {}, &parents, vertices));
   open_cut(cut);
   return parents;
 }

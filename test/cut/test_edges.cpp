@@ -541,7 +541,8 @@ BOOST_AUTO_TEST_CASE(links_of_edges_leave_a_disc_of_genus_0)
     for (Index source : {Index(-1), Index(0), s.number_of_vertices() - 1})
     {
       Refined_surface refined(s);
-      const auto links = link_boundaries_on_edges(refined, source);
+      const auto links =
+        link_boundaries_on_edges(refined, source < 0 ? std::vector<Index>{} : std::vector<Index>{source});
       BOOST_TEST(refined.number_of_vertices() == s.number_of_vertices());
       check_is_disc(s, refined);
       bool passes = source < 0 || s.is_boundary_vertex(source);

@@ -14,6 +14,7 @@
 #include <meridian/cut/cut_traits.h>
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/proof/verify_cut.h>
+#include <meridian/result/recount.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/seam_paths.h>
 #include <meridian/surface/seams.h>

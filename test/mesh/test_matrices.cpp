@@ -5,6 +5,7 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/proof/verify_cut.h>
+#include <meridian/result/recount.h>
 
 #include <boost/test/unit_test.hpp>
 

@@ -239,13 +239,56 @@ BOOST_FIXTURE_TEST_CASE(two_cuts_are_compared, Fixture)
   BOOST_TEST(meridian("compare torus.obj --cut 0 --cut none.off").status == 1);
 }
 
+// A wish that is missed is said everywhere, and nothing is called verified beside it.
+BOOST_FIXTURE_TEST_CASE(a_missed_stretch_ends_with_its_own_status, Fixture)
+{
+  write("ball.obj", obj(sample::sphere(2)));
+  const auto met = meridian("unwrap ball.obj -o uv.obj --max-stretch 1.05 --report report.json");
+  BOOST_TEST(met.status == 0, met.error);
+  BOOST_TEST(contains(met.out, "verified: "), met.out);
+  BOOST_TEST(contains(met.out, "note: component 0: the cut was extended to "), met.out);
+  const auto good = json("report.json");
+  BOOST_TEST(good["verified"] == true);
+  BOOST_TEST(good["missed"].empty());
+  BOOST_TEST(good["components"][0]["parameterization"]["extended_to"] > 0);
+  BOOST_TEST(good["components"][0]["parameterization"]["stretch_l2"] <= 1.05);
+  const auto missed = meridian("unwrap ball.obj -o uv.obj --max-stretch 1 --report report.json");
+  BOOST_TEST(missed.status == 2);
+  BOOST_TEST(!contains(missed.out, "verified"), missed.out);
+  BOOST_TEST(contains(missed.error, "not met: component 0: the L2 stretch is 1.0"), missed.error);
+  BOOST_TEST(contains(missed.error, "extended to "), missed.error);
+  BOOST_TEST(json("report.json")["verified"] == false);
+  BOOST_TEST(json("report.json")["missed"].size() == 1u);
+  BOOST_TEST(meridian("verify ball.obj uv.obj").status == 0); // the file is written, and right
+  const auto quiet = meridian("unwrap ball.obj -o uv.obj --max-stretch 1 --quiet");
+  BOOST_TEST(quiet.status == 2);
+  BOOST_TEST(contains(quiet.error, "not met"), quiet.error);
+}
+
+BOOST_FIXTURE_TEST_CASE(a_map_that_smears_is_warned_of, Fixture)
+{
+  write("torus.obj", obj(sample::thorny_torus(8)));
+  const auto r = meridian("unwrap torus.obj -o uv.obj --parameterization tutte --report report.json");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_TEST(contains(r.out, "WARNING: stretched to more than 2"), r.out);
+  BOOST_TEST(contains(r.out, "warning: component 0: the L2 stretch is "), r.out);
+  BOOST_TEST(json("report.json")["warnings"].size() == 1u);
+  const auto fair = meridian("unwrap torus.obj -o uv.obj --shortest-seams --report report.json");
+  BOOST_TEST(fair.status == 0, fair.error);
+  BOOST_TEST(!contains(fair.out, "arning"), fair.out);
+  BOOST_TEST(json("report.json")["warnings"].empty());
+  const double shortest = json("report.json")["components"][0]["cut"]["length"];
+  BOOST_TEST(meridian("unwrap torus.obj -o uv.obj --report report.json").status == 0);
+  BOOST_TEST(json("report.json")["components"][0]["cut"]["length"] > shortest);
+}
+
 BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture)
 {
-  for (const std::string option :
-       {"--parameterization lscm --border circle", "--parameterization tutte --border free",
-        "--geometry-image 33 --on-edges", "--geometry-image 33 --parameterization arap",
-        "--geometry-image 33 --border circle", "--png board.jpg", "--distortion faces.obj", "--stretch-weight 2",
-        "--max-stretch 0.5", "--svg uv.obj", "--svg uv.map.json", "--png uv.mtl", "--parameterization best"})
+  for (const std::string option : {"--parameterization lscm --border circle", "--parameterization tutte --border free",
+                                   "--geometry-image 33 --on-edges", "--geometry-image 33 --parameterization arap",
+                                   "--geometry-image 33 --border circle", "--png board.jpg", "--distortion faces.obj",
+                                   "--stretch-weight 2", "--max-stretch 0.5", "--max-stretch 1.5 --shortest-seams",
+                                   "--svg uv.obj", "--svg uv.map.json", "--png uv.mtl", "--parameterization best"})
   {
     const auto r = meridian("unwrap mesh.obj -o uv.obj " + option);
     BOOST_TEST(r.status == 64, option + ": " + std::to_string(r.status));

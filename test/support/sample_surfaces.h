@@ -116,6 +116,19 @@ inline Triangle_surface torus(int n, int m, double big = 3, double small = 1)
   return connected(std::move(s));
 }
 
+// A torus, with two thorns; by themselves, ten times as long as its tube is wide.
+inline Triangle_surface thorny_torus(double length = 20)
+{
+  auto s = torus(80, 40);
+  for (const Point& thorn : {Point{4, 0, 0}, Point{-4, 0, 0}})
+    for (Point& p : s.points)
+    {
+      const double away = distance(p, thorn);
+      if (away < 0.6) { p = p + (length * (1 - away / 0.6) / 4) * thorn; }
+    }
+  return s;
+}
+
 // A sphere: an octahedron divided `levels` times.
 inline Triangle_surface sphere(int levels)
 {

@@ -25,19 +25,6 @@ using namespace meridian;
 
 namespace {
 
-// A torus, with thorns ten times as long as its tube is wide.
-Triangle_surface thorny_torus()
-{
-  auto s = sample::torus(80, 40);
-  for (const Point& thorn : {Point{4, 0, 0}, Point{-4, 0, 0}})
-    for (Point& p : s.points)
-    {
-      const double away = distance(p, thorn);
-      if (away < 0.6) { p = p + (20 * (1 - away / 0.6) / 4) * thorn; }
-    }
-  return s;
-}
-
 Index original(const Cut& cut, Index v)
 {
   const Index n = cut.surface.number_of_vertices();
@@ -70,7 +57,7 @@ BOOST_DATA_TEST_CASE(a_map_is_carried_over_to_an_extended_cut,
 {
   const auto s = which == 0   ? sample::noisy(sample::torus(40, 20), 0.03, 5)
                  : which == 1 ? sample::punctured(sample::noisy(sample::plate(2, 5), 0.05, 2), {40, 300})
-                              : thorny_torus();
+                              : sample::thorny_torus();
   Cut before = pipeline::cut(s, pipeline::tight_curves());
   const Triangle_surface disc = surface_of(before.surface, before.opened);
   const Parameterization map = pipeline::map(disc);
@@ -83,7 +70,7 @@ BOOST_DATA_TEST_CASE(a_map_is_carried_over_to_an_extended_cut,
   {
     const Index v = goals[i];
     if (on_paths.count(v) > 0) { continue; }
-    const auto more = extend_cut(s, after, v, on_edges);
+    const auto more = extend_cut(s, after, {v}, on_edges);
     if (on_edges) { BOOST_TEST(more.empty()); }
     parents.insert(parents.end(), more.begin(), more.end());
     on_paths.insert(after.curves.back().vertices.begin(), after.curves.back().vertices.end());
@@ -127,7 +114,7 @@ BOOST_DATA_TEST_CASE(a_map_is_carried_over_to_an_extended_cut,
 // Without an option, a map that stretches its faces to more than twice has its cut extended until it does not.
 BOOST_AUTO_TEST_CASE(what_stretches_too_much_is_extended)
 {
-  const auto thorny = thorny_torus();
+  const auto thorny = sample::thorny_torus();
   const Triangle_surface disc = [&] {
     const Cut cut = pipeline::cut(thorny, pipeline::tight_curves());
     return surface_of(cut.surface, cut.opened);

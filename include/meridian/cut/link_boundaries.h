@@ -47,6 +47,7 @@ struct Link_options
  * \param guides ways that are taken first, as far as no seam is in the way
  * \param progress told after each link how much is done
  * \param parents if given: for each face that is appended to `s`, the face that it was a part of is appended to it
+ * \param points vertices of `s` that the links shall reach too, like boundaries
  *
  * \returns the links as vertices of `s`
  * \pre cutting `s` along its seams leaves a connected surface of genus 0
@@ -58,7 +59,8 @@ struct Link_options
 std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Refined_surface& s,
                                                 const Link_options& options = Link_options(),
                                                 const std::vector<Link_guide>& guides = {},
-                                                const Progress& progress = {}, std::vector<Index>* parents = nullptr);
+                                                const Progress& progress = {}, std::vector<Index>* parents = nullptr,
+                                                const std::vector<Index>& points = {});
 
 } // namespace meridian
 

@@ -27,11 +27,11 @@ namespace meridian {
  * boundary. Cutting along it makes one of two boundaries and leaves the surface connected, so with the last link it is
  * a disc.
  *
- * A closed surface of genus 0 is opened along paths that join two vertices far apart, or the source and one of them;
+ * A closed surface of genus 0 is opened along paths that join two vertices far apart, or a point and one of them;
  * they have two edges at least.
  *
  * \param s the surface. The links are flagged.
- * \param source a vertex that links shall pass through or end at, or -1
+ * \param points vertices that links shall pass through or end at
  *
  * \returns the links as vertices of `s`, each from the tree before it to the boundary that it joins
  * \pre cutting `s` along its seams leaves a connected surface of genus 0
@@ -41,7 +41,7 @@ namespace meridian {
  * \f$ O(n \log n) \f$ where each vertex comes nearer to the tree a bounded number of times; for each link that again at
  * worst
  */
-std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, Index source = -1);
+std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, const std::vector<Index>& points = {});
 
 } // namespace meridian
 

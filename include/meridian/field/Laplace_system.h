@@ -38,10 +38,13 @@ public:
   const std::string& description() const { return m_description; }
 
   // Writes the solution at the nodes `unknown` to `x`; `known(a)` is the value at any other node next to them.
-  void solve(const std::vector<Index>& unknown, const std::function<double(Index)>& known, std::vector<double>& x);
+  // `source`: the right-hand side of each node's equation, 0 if empty.
+  void solve(const std::vector<Index>& unknown, const std::function<double(Index)>& known, std::vector<double>& x,
+             const std::vector<double>& source = {});
 
   // The same for several right-hand sides with one factorization.
-  void solve(const std::vector<Index>& unknown, int sides, const Known_values& known, const Write& write);
+  void solve(const std::vector<Index>& unknown, int sides, const Known_values& known, const Write& write,
+             const std::vector<double>& source = {});
 
 private:
   Sparse_matrix assemble(const std::vector<Index>& unknown, const Known_values& known,

@@ -13,10 +13,16 @@
 #include <meridian/surface/measures.h>
 #include <meridian/unwrap/square_border.h>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace meridian {
+
+/// \ingroup PkgMeridianParameterization
+/// the L2 stretch that cuts are extended for, if nothing is asked for.
+constexpr double default_max_stretch = 1.1;
 
 /// \ingroup PkgMeridianParameterization
 /// what one may choose about an unwrapping.
@@ -28,9 +34,10 @@ struct Unwrap_options
   /// w, 0 to 1: the cut with the least (1 - w) length + w stretch is taken, the length divided by the root of the area;
   /// if it is not 0, links are varied too
   double stretch_weight = 0;
-  /// the cut is extended until the L2 stretch is no larger, or no extension lowers it; 0: it is not extended
-  double max_stretch = 0;
-  int extensions = 100; ///< at most
+  /// the cut is extended until the L2 stretch is no larger, or no extension lowers it; 0: only what stretches to more
+  /// than 2 is extended; by itself, until it is `default_max_stretch`, as long as that gains enough
+  std::optional<double> max_stretch;
+  int extensions = 1000; ///< vertices that the cut is extended to, at most
   /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
   int image_size = 0;
 };
@@ -59,6 +66,7 @@ struct Unwrapping
   std::vector<Unwrap_step> members;    ///< of the family
   std::vector<Unwrap_step> variations; ///< of the links
   std::vector<Unwrap_step> extensions; ///< of the cut
+  std::size_t extended = 0;            ///< vertices that the cut was extended to
 };
 
 } // namespace meridian

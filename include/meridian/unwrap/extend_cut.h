@@ -14,17 +14,19 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * joins a cut to a further vertex by a shortest path, so that what lies around it can unfold. The disc stays a disc.
+ * joins a cut to further vertices by a tree of shortest paths, so that what lies around them can unfold. The disc stays
+ * a disc.
  *
  * \param root the surface that was cut
  * \param cut its cut
- * \param vertex a vertex of `cut.surface` that lies on no seam and no boundary
- * \param on_edges whether the path runs along existing edges
+ * \param vertices vertices of `cut.surface`; nothing happens to those on a seam or a boundary
+ * \param on_edges whether paths run along existing edges
  * \returns for each face that is appended to `cut.surface`, the face that it was a part of
  * \par Complexity
  * \f$ O(n \log n) \f$
  */
-std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, Index vertex, bool on_edges);
+std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, const std::vector<Index>& vertices,
+                              bool on_edges);
 
 /*!
  * \ingroup PkgMeridianParameterization

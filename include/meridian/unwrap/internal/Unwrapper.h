@@ -2,20 +2,13 @@
 #ifndef MERIDIAN_UNWRAP_INTERNAL_UNWRAPPER_H
 #define MERIDIAN_UNWRAP_INTERNAL_UNWRAPPER_H
 
-#include <meridian/base/Verification.h>
-#include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut_options.h>
-#include <meridian/field/geodesic_distance.h>
-#include <meridian/proof/verify_cut.h>
-#include <meridian/result/recount.h>
-#include <meridian/surface/Closed_model.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
-#include <meridian/surface/open_along.h>
 #include <meridian/unwrap/Unwrapping.h>
-#include <meridian/unwrap/extend_cut.h>
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +30,18 @@ public:
   Unwrapping run();
 
 private:
+  // The record that a step belongs to.
+  using Steps = std::vector<Unwrap_step> Unwrapping::*;
+
+  // Whether a map of the kind that is asked for unfolds what a cut lets unfold, and whether the best map is one.
+  bool may_unfold() const;
+  bool has_unfolded() const;
+
+  // The L2 stretch that extensions of the cut are for.
+  double wanted_stretch() const;
+
+  // Cuts, extends the cut as a plan says, and maps.
+  void cut_and_map();
   void map(Unwrapping& u);
 
   // The same for one of several. Returns why it has no map, or nothing.
@@ -44,113 +49,61 @@ private:
 
   double cost(const Unwrapping& u) const;
   // Fewer flipped faces first, then the lower cost.
-  bool is_better(const Unwrapping& a, const Unwrapping& b) const
+  bool is_better(const Unwrapping& u) const
   {
-    return std::make_pair(a.map.flipped.size(), cost(a)) < std::make_pair(b.map.flipped.size(), cost(b));
+    return std::make_pair(u.map.flipped.size(), cost(u)) < std::make_pair(m_best.map.flipped.size(), cost(m_best));
   }
-
-  static Unwrap_step describe(const std::string& name, const Unwrapping& u, bool is_taken);
+  // Fewer flipped faces first, then the lower stretch: by a part of what is still too much, which is larger if none
+  // was asked for.
+  bool is_worthwhile(const Unwrapping& u) const;
 
   // Takes over an unwrapping, but keeps the record of the search.
   void take(Unwrapping&& u);
+  // Notes one, and takes it if it is good. Returns whether it is.
+  bool judge(const std::string& name, Unwrapping&& u, Steps steps, bool is_good);
+  // Notes one that has no map. Returns false.
+  bool note_failure(const std::string& name, const Unwrapping& u, Steps steps, const std::string& reason);
+  // Recounts a cut.
+  void check_cut(const std::string& name, const Unwrapping& u) const;
 
   void search_family();
 
   // Other links between the same meridians, as long as one of them is better.
   void vary_links();
+  bool try_links(const std::string& name, const Cut_options& options);
+  bool try_extension(const std::vector<Index>& vertices);
+  bool try_variation(const std::string& name, Unwrapping&& u);
 
-  // Whether the best map is of the kind that unfolds what a cut lets unfold.
-  bool could_unfold() const;
-
-  // Whether it is of no use: faces are flipped, or a part of the surface shrank to almost nothing in a map that could
-  // unfold.
+  // Whether the best map is of no use: faces are flipped, or a part of the surface shrank to almost nothing in a map
+  // that could unfold.
   bool is_useless() const;
 
-  // Goes on from the best map, whose cut was extended to that of `u`. Returns whether there is a map then.
-  bool go_on_from_best(Unwrapping& u, const std::vector<Index>& parents);
-
-  // To such parts as long as there are some, then to the regions of highest stretch (Gu, Gortler, Hoppe 2002): to
-  // several at once while it is not fair, and one by one while it is more than was asked for.
+  // Extends the cut of the best map as long as that is worthwhile: to such parts first, then to where plans say.
   void extend();
 
-  // To some vertices of faces that are flipped or all but vanish: each time to the one deepest inside the disc, until
-  // none is a quarter as deep as the first.
-  template <class Is_progress> bool extend_to_useless(const Is_progress& is_progress)
+  // The square of an L2 stretch less 1: as was expected of a disc, and as its map has it.
+  struct Expectation
   {
-    Unwrapping u;
-    u.cut = m_best.cut;
-    std::vector<char> is_marked(u.cut.surface.number_of_vertices(), 0);
-    for (std::size_t f = 0; f < m_best.map.faces.size(); ++f)
-      for (Index v : m_best.disc.triangles[f])
-        if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v))
-        {
-          is_marked[v] = 1;
-        }
-    int extended = 0;
-    for (double first = 0; extended < 16; ++extended)
-    {
-      const Triangle_surface disc = surface_of(u.cut.surface, u.cut.opened);
-      const Closed_model g = make_closed_model(disc);
-      const auto depth = edge_distances(g, edge_lengths(disc, g), g.first_loop_node);
-      Index deepest = -1;
-      for (Index v = 0; v < static_cast<Index>(is_marked.size()); ++v)
-        if (is_marked[v] && !disc.is_boundary_vertex(v) && (deepest < 0 || depth[g.node[v]] > depth[g.node[deepest]]))
-        {
-          deepest = v;
-        }
-      if (deepest < 0 || depth[g.node[deepest]] < first / 4) { break; }
-      if (extended == 0) { first = depth[g.node[deepest]]; }
-      extend_cut(m_root, u.cut, deepest, m_chosen.on_edges);
-    }
-    return extended > 0
-           && judge("extended to " + std::to_string(extended)
-                      + " vertices of faces that were flipped or all but vanished",
-                    std::move(u), m_best.extensions, is_progress);
-  }
+    double expected, measured;
+  };
+  // Vertices of the disc of the best cut that the cut should reach. What is known of discs so far brings what is
+  // expected into line; the last is this disc's, if it has a map.
+  std::vector<Index> plan(const Triangle_surface& disc, std::vector<Expectation>& known) const;
+  // Extends the cut to regions of high stretch, as long as one of a few is worthwhile: for maps into a polygon.
+  void extend_one_by_one();
 
-  template <class Is_progress>
-  bool extend_to(const std::vector<Index>& vertices, std::vector<Unwrap_step>& record, const Is_progress& is_progress,
-                 bool goes_on)
-  {
-    Unwrapping u;
-    u.cut = m_best.cut;
-    std::vector<Index> parents;
-    std::string name;
-    for (Index v : vertices)
-    {
-      bool is_reached = false; // by the path to one before it
-      u.cut.surface.for_each_outgoing(v, [&](Index h) { is_reached = is_reached || u.cut.surface.seam[h]; });
-      if (is_reached) { continue; }
-      const auto more = extend_cut(m_root, u.cut, v, m_chosen.on_edges);
-      parents.insert(parents.end(), more.begin(), more.end());
-      name += (name.empty() ? "extended to vertex " : ", ") + std::to_string(v);
-    }
-    if (u.cut.curves.size() == m_best.cut.curves.size()) { return false; }
-    const bool has_map = goes_on && go_on_from_best(u, parents);
-    return judge(name, std::move(u), record, is_progress, has_map);
-  }
+  // The best cut, extended to some vertices. Returns the parents of faces that are new.
+  std::vector<Index> extend_best(const std::vector<Index>& vertices, Unwrapping& u);
+  // Extends the cut to some vertices. Returns whether that was worthwhile.
+  bool extend_to(const std::vector<Index>& vertices);
+  // The same to some vertices of faces that are flipped or all but vanish: each time to the one deepest inside the
+  // disc, until none is a quarter as deep as the first.
+  bool extend_to_useless();
 
-  // Recounts a cut, maps it, and takes it if it is better. The record is part of the best.
-  template <class Is_progress>
-  bool judge(const std::string& name, Unwrapping&& u, std::vector<Unwrap_step>& record, const Is_progress& is_progress,
-             bool has_map = false)
-  {
-    const Verification recount = verify_cut(m_root, u.cut);
-    if (!recount)
-    {
-      throw Internal_error("unwrap_surface: the recount of a cut " + name + " found " + recount.failures.front());
-    }
-    const std::string failure = has_map ? "" : try_to_map(u);
-    if (!failure.empty())
-    {
-      record.push_back({name, u.cut.length, 0, m_options.map.method, -1, false, failure});
-      return false;
-    }
-    const bool is_taken = is_progress(u);
-    record.push_back(describe(name, u, is_taken));
-    if (is_taken) { take(std::move(u)); }
-    return is_taken;
-  }
+  // Goes on from the best map, whose cut was extended to that of `u`. Returns whether that gave a map.
+  bool go_on_from_best(Unwrapping& u, const std::vector<Index>& parents);
+
+  static std::string name_of_extension(const std::vector<Index>& vertices);
 
   static constexpr double useless_stretch = 100, fair_stretch = 2;
   const Triangle_surface& m_root;
@@ -158,6 +111,7 @@ private:
   const double m_area;
   Cut_options m_chosen;
   Unwrapping m_best;
+  std::size_t m_extended = 0; // vertices that the cut was extended to
 };
 
 } // namespace internal
