@@ -261,6 +261,7 @@ std::vector<Plane_point> map_by_levels(const Triangle_surface& disc, const Disto
 {
   constexpr Index few = 8000, least = 15000; // vertices of the coarsest level, and of what is worth it
   constexpr int near_steps = 40;             // at most, from a map that is near
+  constexpr int far_steps = 10;              // times as many on the coarsest level, where they cost little
   constexpr double coarse_gain = 5e-3;       // of a step, before a finer level is begun
   if (disc.number_of_vertices() < least) { return {}; }
   const Disc_hierarchy levels(disc, few);
@@ -287,7 +288,7 @@ std::vector<Plane_point> map_by_levels(const Triangle_surface& disc, const Disto
     }
     if (!is_one_to_one(s, part)) { return {}; }
     Distortion_options here = options;
-    if (l + 1 < n) { here.iterations = std::min(options.iterations, near_steps); }
+    here.iterations = l + 1 < n ? std::min(options.iterations, near_steps) : far_steps * options.iterations;
     if (l > 0) { here.least_gain = std::max(options.least_gain, coarse_gain); }
     lower_distortion(s, part, here, l + 1 < n, [&](double done) {
       if (progress) { progress((static_cast<double>(n - 1 - l) + done) / static_cast<double>(n)); }

@@ -47,7 +47,9 @@ bool Unwrapper::has_unfolded() const
 
 double Unwrapper::wanted_stretch() const
 {
-  const double wanted = m_options.max_stretch.value_or(default_max_stretch);
+  // the functional of length and stretch has its own mind about longer cuts
+  const double by_itself = m_options.stretch_weight > 0 ? 0 : default_max_stretch;
+  const double wanted = m_options.max_stretch.value_or(by_itself);
   return wanted > 0 ? wanted : fair_stretch;
 }
 

@@ -58,10 +58,11 @@ public:
     return sum / whole;
   }
 
-  // Takes the highest peaks of |u|, and makes a path from each border. Returns their vertices.
+  // Takes the peaks of |u| that are nearly as high as the highest, and makes a path from each border. Returns their
+  // vertices.
   std::vector<Index> take_peaks(std::size_t most)
   {
-    constexpr double nearly = 0.9; // as high as the highest
+    constexpr double nearly = 0.9; // less takes three times as many
     const std::vector<std::pair<double, Index>> peaks = find_peaks();
     if (!peaks.empty()) { find_ways(); }
     std::vector<Index> vertices;

@@ -35,7 +35,8 @@ struct Unwrap_options
   /// if it is not 0, links are varied too
   double stretch_weight = 0;
   /// the cut is extended until the L2 stretch is no larger, or no extension lowers it; 0: only what stretches to more
-  /// than 2 is extended; by itself, until it is `default_max_stretch`, as long as that gains enough
+  /// than 2 is extended; by itself, until it is `default_max_stretch`, as long as that gains enough; but as with 0
+  /// if `stretch_weight` is not 0
   std::optional<double> max_stretch;
   int extensions = 1000; ///< vertices that the cut is extended to, at most
   /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
