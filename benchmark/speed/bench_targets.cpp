@@ -4,6 +4,7 @@
 // Times are seconds of whole processes, the median of three; each ratio is one of CPU seconds within one round.
 // Meshes of more than two million faces are cut once, and no more. Each answer
 // is verified by the program before it counts.
+#include "../child_process.h"
 #include "support.h"
 #include "support/sample_surfaces.h"
 
@@ -27,12 +28,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -47,42 +43,21 @@ namespace {
 using namespace meridian;
 namespace fs = std::filesystem;
 
-struct Cost
-{
-  double seconds = 0, wall = 0, megabytes = 0; // seconds of all cores, and as they pass
-};
-
 bool is_right = true; // every answer so far
 
 // The cost of a child process, which must end with status 0.
 Cost of_child(const std::function<void()>& work)
 {
-  const auto begin = std::chrono::steady_clock::now();
-  const pid_t child = fork();
-  if (child == 0)
-  {
-    work();
-    _exit(0);
-  }
-  int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  is_right = is_right && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  const auto seconds = [](const timeval& t) { return t.tv_sec + 1e-6 * t.tv_usec; };
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), wall.count(), usage.ru_maxrss / 1024.};
+  const Child child = run_child(work);
+  is_right = is_right && child.status == 0;
+  return child.cost;
 }
 
 Cost of_program(std::vector<std::string> words)
 {
-  return of_child([&] {
-    std::vector<char*> arguments;
-    for (std::string& w : words) { arguments.push_back(w.data()); }
-    arguments.push_back(nullptr);
-    if (freopen("/dev/null", "w", stdout) == nullptr) { _exit(1); }
-    execv(arguments.front(), arguments.data());
-    _exit(127);
-  });
+  const Child child = run_program(std::move(words));
+  is_right = is_right && child.status == 0;
+  return child.cost;
 }
 
 // A mesh as a file, and what is measured on it.
@@ -235,7 +210,6 @@ int main(int argc, char** argv)
   std::vector<std::string> meshes(argv + 2, argv + argc);
   if (meshes.empty()) { meshes = {"faces:100000", "faces:300000"}; }
   std::puts("| mesh | what | CPU s | s | MB | measure | ratio | target |\n|---|---|---|---|---|---|---|---|");
-  std::fflush(stdout); // before it is forked
   for (const std::string& name : meshes)
   {
     const bool is_made = name.rfind("faces:", 0) == 0;
