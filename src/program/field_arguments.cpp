@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field_arguments.h"
+#include "files/Output_files.h"
 #include "files/map_file.h"
 #include "files/read_mesh.h"
 #include "files/read_values.h"
@@ -38,6 +39,11 @@ void check_paths(const Field_arguments& a, const std::vector<std::string>& writt
     if (!path.empty() && !places.insert(place(path)).second)
       throw Usage_error(path
                         + " would be written twice, or over a file that is read; give every file a name of its own");
+  files::Output_files none; // what cannot be written is found before anything is computed
+  for (const std::string& path : written)
+  {
+    if (!path.empty()) { none.add(path, ""); }
+  }
 }
 
 void check_arguments(const Field_arguments& a)

@@ -14,10 +14,11 @@
 namespace meridian {
 namespace program {
 
-// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read.
+// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read, and File_error if
+// one cannot be written.
 void check_paths(const Field_arguments& arguments, const std::vector<std::string>& written);
 
-// Throws Usage_error if two outputs go to one file, or one to the input, or if options do not go together.
+// The same for the paths of all commands, and Usage_error if options do not go together.
 void check_arguments(const Field_arguments& arguments);
 
 // Throws Usage_error if no face of the mesh has the vertex that an option names.

@@ -118,6 +118,16 @@ std::vector<Plane_point> pack(const Loaded_mesh& loaded, std::vector<Unwrapping>
   return texture;
 }
 
+// Faces without area, or turned over, for those who read coordinates in single precision.
+std::size_t count_flipped_in_single_precision(const Result_mesh& mesh, std::vector<Plane_point> texture)
+{
+  for (Plane_point& p : texture)
+  {
+    for (double& x : p) { x = static_cast<float>(x); }
+  }
+  return find_flipped_faces(mesh.faces, texture).size();
+}
+
 Json report_steps(const std::vector<Unwrap_step>& steps, double unit)
 {
   Json list = Json::array();
@@ -276,6 +286,12 @@ std::vector<std::string> notes_of(const std::vector<Unwrapping>& unwrapped, cons
     }
   }
   for (const std::string& warning : warnings) { notes.push_back("warning: " + warning); }
+  const std::size_t flipped = report["texture"]["flipped_in_single_precision"];
+  if (flipped > 0)
+  {
+    notes.push_back("note: read in single precision, the coordinates leave " + count_of(flipped, "face", "faces")
+                    + " without area, or turned over");
+  }
   if (report.contains("geometry_image"))
   {
     const Json& image = report["geometry_image"];
@@ -395,7 +411,10 @@ int run_unwrap(const Unwrap_arguments& arguments)
   Json report{{"meridian", MERIDIAN_VERSION},
               {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)},
               {"components", result.components},
-              {"texture", {{"coordinates", texture.size()}, {"coverage", area_of(mesh.faces, texture)}}},
+              {"texture",
+               {{"coordinates", texture.size()},
+                {"coverage", area_of(mesh.faces, texture)},
+                {"flipped_in_single_precision", count_flipped_in_single_precision(mesh, texture)}}},
               {"seconds", report_seconds(loaded, result)},
               {"failures", verification.failures},
               {"missed", missed},

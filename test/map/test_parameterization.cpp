@@ -36,26 +36,6 @@ using namespace meridian;
 
 namespace {
 
-Triangle_surface tube_with_cap(int around, int along) // one end open, radius 1, a step of 1/4
-{
-  Triangle_surface s;
-  for (int j = 0; j < along; ++j)
-    for (int i = 0; i < around; ++i)
-    {
-      s.points.push_back({std::cos(2 * sample::pi * i / around), std::sin(2 * sample::pi * i / around), 0.25 * j});
-    }
-  const auto at = [&](int i, int j) { return j * around + i % around; };
-  for (int j = 0; j + 1 < along; ++j)
-    for (int i = 0; i < around; ++i)
-    {
-      s.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
-      s.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
-    }
-  s.points.push_back({0, 0, 0.25 * along});
-  for (int i = 0; i < around; ++i) { s.triangles.push_back({at(i, along - 1), at(i + 1, along - 1), around * along}); }
-  return sample::connected(std::move(s));
-}
-
 // The sign of a triangle's area in rational numbers.
 int exact_sign(const Plane_point& a, const Plane_point& b, const Plane_point& c)
 {
@@ -391,7 +371,7 @@ BOOST_AUTO_TEST_CASE(distortion_does_not_depend_on_scale_or_mirror)
 // The end of a tube underflows in a map into a circle; more stretch, or a better cut, saves it.
 BOOST_AUTO_TEST_CASE(long_tubes_are_saved)
 {
-  const Triangle_surface s = tube_with_cap(8, 240); // 60 radii
+  const Triangle_surface s = sample::tube_with_cap(8, 240); // 60 radii
   Map_options options;
   options.method = Map_method::POSITIVE;
   const Parameterization p = pipeline::map(s, options);
@@ -400,7 +380,7 @@ BOOST_AUTO_TEST_CASE(long_tubes_are_saved)
   const Unwrapping u = pipeline::unwrap(s, unwrap);
   BOOST_TEST(u.map.flipped.size() == 0u);
   BOOST_TEST(recount_flips(u.disc.triangles, u.map.at) == 0);
-  const Triangle_surface longer = tube_with_cap(6, 1200); // 300 radii
+  const Triangle_surface longer = sample::tube_with_cap(6, 1200); // 300 radii
   const Unwrapping v = pipeline::unwrap(longer, unwrap);
   BOOST_TEST(v.map.flipped.size() == 0u);
   BOOST_TEST(verify_cut(longer, v.cut).failures.size() == 0u);

@@ -265,6 +265,41 @@ BOOST_FIXTURE_TEST_CASE(a_missed_stretch_ends_with_its_own_status, Fixture)
   BOOST_TEST(contains(quiet.error, "not met"), quiet.error);
 }
 
+// What cannot be written is found before the mesh is even read, and leaves nothing behind.
+BOOST_FIXTURE_TEST_CASE(a_missing_folder_is_found_at_once, Fixture)
+{
+  write("broken.obj", "v 1\n");
+  for (const std::string option : {"--png", "--svg", "--view", "--report", "--curves"})
+  {
+    const auto r = meridian("unwrap broken.obj -o uv.obj " + option + " none/file.png");
+    BOOST_TEST(r.status == 1);
+    BOOST_TEST(contains(r.error, "none/file.png: cannot be written: No such file"), r.error);
+    const auto cut = meridian("cut broken.obj -o none/file.obj");
+    BOOST_TEST(cut.status == 1);
+    BOOST_TEST(contains(cut.error, "none/file.obj: cannot be written: No such file"), cut.error);
+  }
+  BOOST_TEST(contains(meridian("unwrap broken.obj -o uv.obj").error, "broken.obj"));
+  BOOST_TEST(number_of_files() == 2u);
+}
+
+// The end of a tube shrinks to what single precision cannot tell apart, while double precision can.
+BOOST_FIXTURE_TEST_CASE(faces_that_vanish_in_single_precision_are_counted, Fixture)
+{
+  write("tube.obj", obj(sample::tube_with_cap(8, 56)));
+  const auto r = meridian("unwrap tube.obj -o uv.obj --parameterization positive --report report.json");
+  BOOST_TEST(r.status == 0, r.error);
+  const auto report = json("report.json");
+  BOOST_TEST(report["components"][0]["parameterization"]["method"] == "positive");
+  const int flipped = report["texture"]["flipped_in_single_precision"];
+  BOOST_TEST(flipped > 50);
+  BOOST_TEST(flipped < 1000);
+  BOOST_TEST(contains(r.out, "read in single precision, the coordinates leave " + std::to_string(flipped) + " faces"));
+  const auto low = meridian("unwrap tube.obj -o uv.obj --report report.json");
+  BOOST_TEST(low.status == 0, low.error);
+  BOOST_TEST(json("report.json")["texture"]["flipped_in_single_precision"] == 0);
+  BOOST_TEST(!contains(low.out, "single precision"), low.out);
+}
+
 BOOST_FIXTURE_TEST_CASE(a_map_that_smears_is_warned_of, Fixture)
 {
   write("torus.obj", obj(sample::thorny_torus(8)));

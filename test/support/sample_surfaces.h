@@ -116,6 +116,27 @@ inline Triangle_surface torus(int n, int m, double big = 3, double small = 1)
   return connected(std::move(s));
 }
 
+// A tube of radius 1 with one end open, and a step of a quarter along it.
+inline Triangle_surface tube_with_cap(int around, int along)
+{
+  Triangle_surface s;
+  for (int j = 0; j < along; ++j)
+    for (int i = 0; i < around; ++i)
+    {
+      s.points.push_back({std::cos(2 * pi * i / around), std::sin(2 * pi * i / around), 0.25 * j});
+    }
+  const auto at = [&](int i, int j) { return j * around + i % around; };
+  for (int j = 0; j + 1 < along; ++j)
+    for (int i = 0; i < around; ++i)
+    {
+      s.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      s.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  s.points.push_back({0, 0, 0.25 * along});
+  for (int i = 0; i < around; ++i) { s.triangles.push_back({at(i, along - 1), at(i + 1, along - 1), around * along}); }
+  return connected(std::move(s));
+}
+
 // A torus, with two thorns; by themselves, ten times as long as its tube is wide.
 inline Triangle_surface thorny_torus(double length = 20)
 {
