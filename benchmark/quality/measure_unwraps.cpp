@@ -28,7 +28,7 @@ namespace {
 using namespace meridian;
 namespace fs = std::filesystem;
 
-// An OBJ file of triangles with texture coordinates.
+// An OBJ file with texture coordinates, as triangles. A polygon that is written has a convex image.
 struct Textured
 {
   std::vector<Point> points;
@@ -58,16 +58,15 @@ Textured read(const fs::path& path)
     }
     else if (word == "f")
     {
-      std::array<Index, 3> v{}, vt{};
+      std::vector<std::array<Index, 2>> corners;
       char slash = 0;
-      for (int k = 0; k < 3; ++k) { words >> v[k] >> slash >> vt[k]; }
-      for (int k = 0; k < 3; ++k)
+      for (std::array<Index, 2> c; words >> c[0] >> slash >> c[1];) { corners.push_back({c[0] - 1, c[1] - 1}); }
+      for (std::size_t k = 1; k + 1 < corners.size(); ++k)
       {
-        --v[k];
-        --vt[k];
+        const std::array<std::array<Index, 2>, 3> fan{corners[0], corners[k], corners[k + 1]};
+        t.faces.push_back({fan[0][0], fan[1][0], fan[2][0]});
+        t.texture_faces.push_back({fan[0][1], fan[1][1], fan[2][1]});
       }
-      t.faces.push_back(v);
-      t.texture_faces.push_back(vt);
     }
   }
   return t;
