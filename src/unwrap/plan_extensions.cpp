@@ -58,22 +58,41 @@ public:
     return sum / whole;
   }
 
-  // Takes the peaks of |u| that are nearly as high as the highest, and makes a path from each border. Returns their
-  // vertices.
-  std::vector<Index> take_peaks(std::size_t most)
+  // A vertex, and the nodes of a path from it that become border.
+  struct Way
+  {
+    Index vertex;
+    std::vector<Index> nodes;
+  };
+
+  // Takes the peaks of |u| that are nearly as high as the highest.
+  std::vector<Way> take_peaks(std::size_t most)
   {
     constexpr double nearly = 0.9; // less takes three times as many
     const std::vector<std::pair<double, Index>> peaks = find_peaks();
     if (!peaks.empty()) { find_ways(); }
-    std::vector<Index> vertices;
+    std::vector<Way> ways;
     for (const auto& [minus_height, a] : peaks)
     {
-      if (vertices.size() == most || minus_height > nearly * peaks.front().first) { break; }
+      if (ways.size() == most || minus_height > nearly * peaks.front().first) { break; }
       if (m_is_border[a]) { continue; } // on the path from another
-      for (Index b = a; b >= 0 && !m_is_border[b]; b = m_by[b]) { m_is_border[b] = 1; }
-      vertices.push_back(m_model.representative[a]);
+      ways.push_back({m_model.representative[a], {}});
+      for (Index b = a; b >= 0 && !m_is_border[b]; b = m_by[b])
+      {
+        m_is_border[b] = 1;
+        ways.back().nodes.push_back(b);
+      }
     }
-    return vertices;
+    return ways;
+  }
+
+  // Lets only the first of some ways that were taken be border.
+  void keep(const std::vector<Way>& ways, std::size_t count)
+  {
+    for (std::size_t i = 0; i < ways.size(); ++i)
+    {
+      for (Index a : ways[i].nodes) { m_is_border[a] = i < count; }
+    }
   }
 
 private:
@@ -140,6 +159,33 @@ private:
   std::vector<Index> m_by;
 };
 
+double expected_stretch(Extension_planner& planner)
+{
+  planner.solve();
+  return std::sqrt(1 + planner.variation());
+}
+
+// Of ways with which the stretch is low enough, about the fewest, from the first on, with which it is.
+std::size_t keep_enough(Extension_planner& planner, const std::vector<Extension_planner::Way>& ways, double enough,
+                        double& stretch)
+{
+  std::size_t few = 0, many = ways.size(); // too few, and enough
+  for (; many - few > 1 + many / 8;)
+  {
+    const std::size_t count = (few + many) / 2;
+    planner.keep(ways, count);
+    const double then = expected_stretch(planner);
+    if (then > enough) { few = count; }
+    else
+    {
+      many = count;
+      stretch = then;
+    }
+  }
+  planner.keep(ways, many);
+  return many;
+}
+
 } // namespace
 
 } // namespace internal
@@ -149,15 +195,15 @@ Extension_plan plan_extensions(const Triangle_surface& disc, const std::function
 {
   Extension_plan plan;
   internal::Extension_planner planner(disc, solver);
-  planner.solve();
-  plan.before = plan.after = std::sqrt(1 + planner.variation());
+  plan.before = plan.after = internal::expected_stretch(planner);
   for (const double enough = goal(plan.before); plan.after > enough && plan.vertices.size() < most;)
   {
-    const std::vector<Index> more = planner.take_peaks(most - plan.vertices.size());
-    if (more.empty()) { break; }
-    plan.vertices.insert(plan.vertices.end(), more.begin(), more.end());
-    planner.solve();
-    plan.after = std::sqrt(1 + planner.variation());
+    const auto ways = planner.take_peaks(most - plan.vertices.size());
+    if (ways.empty()) { break; }
+    plan.after = internal::expected_stretch(planner);
+    std::size_t count = ways.size();
+    if (!(plan.after > enough)) { count = internal::keep_enough(planner, ways, enough, plan.after); }
+    for (std::size_t i = 0; i < count; ++i) { plan.vertices.push_back(ways[i].vertex); }
   }
   return plan;
 }

@@ -156,6 +156,22 @@ BOOST_AUTO_TEST_CASE(cuts_are_planned_to_the_highest_cones_first)
   }
 }
 
+// Of many cones that are alike, only as many are reached as are needed.
+BOOST_AUTO_TEST_CASE(no_more_is_planned_than_is_needed)
+{
+  std::vector<Plane_point> places;
+  for (int k = 0; k < 12; ++k) { places.push_back({0.7 * std::cos(pi * k / 6), 0.7 * std::sin(pi * k / 6)}); }
+  const auto s = with_cones(places, std::vector<double>(12, 0.4));
+  BOOST_TEST(plan(s, 1, 12).vertices.size() == 12u);
+  for (std::size_t most : {1u, 3u, 6u})
+  {
+    const Extension_plan some = plan(s, 1, most), enough = plan(s, some.after);
+    BOOST_TEST(enough.vertices == some.vertices, boost::test_tools::per_element());
+    BOOST_TEST(enough.after == some.after, boost::test_tools::tolerance(1e-9));
+  }
+  BOOST_TEST(plan(s, plan(s, 1, 10).after).vertices.size() <= 11u); // an eighth more at most
+}
+
 // A cut is extended to many vertices by one tree: they lie on its seams then, and the disc is one still.
 BOOST_DATA_TEST_CASE(a_cut_is_extended_to_many_vertices_at_once, data::make({false, true}), on_edges)
 {

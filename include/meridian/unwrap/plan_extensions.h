@@ -29,7 +29,7 @@ struct Extension_plan
  * The conformal map that keeps lengths along the border scales the surface by \f$ e^{-u} \f$, where \f$ \Delta u = K
  * \f$, the Gaussian curvature, and \f$ u = 0 \f$ on the border (\cite sawhney2017). Where \f$ |u| \f$ is largest a cut
  * helps most (\cite benchen2008): the shortest path of edges from there becomes border, and so on, several places at
- * once if they are nearly as high.
+ * once if they are nearly as high, at the end only as many as are needed.
  *
  * A map of low distortion does not shrink what lies far out as the conformal one does. Its L2 stretch is expected to be
  * the root of the mean of \f$ \sqrt{1 + (u - \bar u)^2} \f$ over the area. That has no proof; on the surfaces measured
