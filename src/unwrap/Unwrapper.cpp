@@ -63,7 +63,7 @@ void Unwrapper::cut_and_map()
     const Stage_runner run{m_chosen.observer, m_best.cut.seconds};
     run(Stage::PARAMETERIZE, [&] {
       std::vector<Expectation> nothing;
-      vertices = plan(surface_of(m_best.cut.surface, m_best.cut.opened), nothing);
+      vertices = plan(surface_of(m_best.cut.surface, m_best.cut.opened), nothing, 1);
     });
   }
   if (vertices.empty())
@@ -88,7 +88,7 @@ void Unwrapper::cut_and_map()
   judge(name_of_extension(vertices), std::move(u), &Unwrapping::extensions, true);
 }
 
-std::vector<Index> Unwrapper::plan(const Triangle_surface& disc, std::vector<Expectation>& known) const
+std::vector<Index> Unwrapper::plan(const Triangle_surface& disc, std::vector<Expectation>& known, double boldness) const
 {
   const auto excess = [](double stretch) { return stretch * stretch - 1; };
   // less than is needed, and more so if only a guess leads there; but no seam is wasted where the shortest are asked for
@@ -111,7 +111,8 @@ std::vector<Index> Unwrapper::plan(const Triangle_surface& disc, std::vector<Exp
         const double slope = (last.measured - now.measured) / (last.expected - now.expected);
         if (slope > 0) { enough = std::min(enough, now.expected - (now.measured - wanted) / slope); }
       }
-      enough = std::max(enough, now.expected / 4); // not too far at once
+      enough =
+        std::max(std::min(enough, now.expected / boldness), now.expected / (4 * boldness)); // not too far at once
     }
     return std::sqrt(1 + enough);
   };
@@ -296,12 +297,19 @@ void Unwrapper::extend()
     return;
   }
   std::vector<Expectation> known;
+  double boldness = 1;
   for (int i = 0; i < rounds && may_go_on() && may_unfold() && has_unfolded(); ++i)
   {
     const double stretch = m_best.map.distortion.stretch_l2;
     if (!(stretch > wanted_stretch())) { break; }
     known.push_back({0, stretch * stretch - 1});
-    if (extend_to(plan(m_best.disc, known))) { continue; }
+    if (extend_to(plan(m_best.disc, known, boldness))) { continue; }
+    if (m_options.max_stretch && boldness < 4) // it was not enough to see a gain
+    {
+      known.pop_back();
+      boldness *= 2;
+      continue;
+    }
     // otherwise to the regions of highest stretch
     const bool is_hopeless = stretch < fair_stretch && !m_options.max_stretch;
     if (is_hopeless || !extend_to(find_stretched_vertices(m_best.disc, m_best.map, at_once))) { break; }

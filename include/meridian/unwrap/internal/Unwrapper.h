@@ -87,8 +87,9 @@ private:
     double expected, measured;
   };
   // Vertices of the disc of the best cut that the cut should reach. What is known of discs so far brings what is
-  // expected into line; the last is this disc's, if it has a map.
-  std::vector<Index> plan(const Triangle_surface& disc, std::vector<Expectation>& known) const;
+  // expected into line; the last is this disc's, if it has a map. What is expected then becomes less by a factor of the
+  // boldness at least.
+  std::vector<Index> plan(const Triangle_surface& disc, std::vector<Expectation>& known, double boldness) const;
   // Extends the cut to regions of high stretch, as long as one of a few is worthwhile: for maps into a polygon.
   void extend_one_by_one();
 
