@@ -183,7 +183,11 @@ void measure(const std::string& name, const Mesh_costs& mesh)
     all["generators"].push_back(mesh.run("generators"));
     all["factorization"].push_back(mesh.factorization());
     all["memory"].push_back(mesh.cut_in_memory());
-    if (mesh.faces() <= most_unwrapped) { all["unwrap"].push_back(mesh.run("unwrap")); }
+    if (mesh.faces() <= most_unwrapped)
+    {
+      all["unwrap"].push_back(mesh.run("unwrap"));
+      all["seams"].push_back(mesh.run("unwrap", {"--shortest-seams"}));
+    }
   }
   print(name, "cut, curves tightened", "reading and writing", 1.5, all["curves"], all["files"]);
   print(name, "cut", "the same", 1.5, all["cut"], all["curves"]);
@@ -192,7 +196,9 @@ void measure(const std::string& name, const Mesh_costs& mesh)
   print(name, "cut, tree-cotree", "Dijkstra, sorting, reading and writing", 1.2, all["tree"], all["search"]);
   print(name, "generators", "cut", mesh.genus() < few ? 2 : 4, all["generators"], all["cut"]);
   if (all["unwrap"].empty()) { return; }
-  print(name, "unwrap", "factorization", mesh.faces() < small ? 20 : 40, all["unwrap"], all["factorization"]);
+  const double aim = mesh.faces() < small ? 20 : 40;
+  print(name, "unwrap", "factorization", aim, all["unwrap"], all["factorization"]);
+  print(name, "unwrap, shortest seams", "factorization", aim, all["seams"], all["factorization"]);
 }
 
 } // namespace
