@@ -111,7 +111,7 @@ std::size_t count_overlaps(const Textured& t)
 
 struct Measures
 {
-  double l2 = 0, dirichlet = 0, angle = 0, area = 0, filled = 0;
+  double l2 = 0, dirichlet = 0, angle = 0, area = 0, filled = 0, surface = 0;
 };
 
 double corner_angle(const Point& at, const Point& to, const Point& other)
@@ -157,8 +157,12 @@ Measures measure(const Textured& t)
     stretch += a / b * squares(q, p) / 2; // |J^-1|^2 times the area on the surface
   }
   const double scale = image / surface;
-  Measures m{std::sqrt(stretch * scale / (2 * surface)), (growth / scale + stretch * scale) / surface,
-             angles / (3 * t.faces.size()) * 180 / std::acos(-1.), 0, image};
+  Measures m{std::sqrt(stretch * scale / (2 * surface)),
+             (growth / scale + stretch * scale) / surface,
+             angles / (3 * t.faces.size()) * 180 / std::acos(-1.),
+             0,
+             image,
+             surface};
   for (const auto& [a, b] : areas) { m.area += std::abs(a / surface - b / image); }
   return m;
 }
@@ -207,14 +211,8 @@ bool measure_mesh(const std::string& program, const fs::path& folder, const fs::
     reached += c["parameterization"]["extended_to"].get<int>();
     highest = std::max(highest, c["parameterization"]["stretch_l2"].get<double>());
   }
-  double surface = 0;
-  for (const auto& f : textured.faces)
-  {
-    const auto& p = textured.points;
-    surface += norm(cross(p[f[1]] - p[f[0]], p[f[2]] - p[f[0]])) / 2;
-  }
   std::printf("%zu\t%zu\t%d\t%.2f\t%.4f\t%.4f\t%.3f\t%.2f\t%.3f\t%.2f\t%.2f\t%.0f\t%s", textured.faces.size(),
-              json["components"].size(), reached, length / std::sqrt(surface), m.l2, highest, m.dirichlet, m.angle,
+              json["components"].size(), reached, length / std::sqrt(m.surface), m.l2, highest, m.dirichlet, m.angle,
               m.area, m.filled, child.cost.seconds, child.cost.megabytes, child.status == 0 ? "yes" : "missed");
   const std::size_t overlaps = count_overlaps(textured);
   const bool is_verified = run_program({program, "verify", mesh, out, "--quiet"}).status == 0;

@@ -14,8 +14,8 @@
 namespace meridian {
 namespace program {
 
-// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read, and File_error if
-// one cannot be written.
+// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read, and File_error
+// if one cannot be written.
 void check_paths(const Field_arguments& arguments, const std::vector<std::string>& written);
 
 // The same for the paths of all commands, and Usage_error if options do not go together.

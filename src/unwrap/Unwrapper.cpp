@@ -91,7 +91,8 @@ void Unwrapper::cut_and_map()
 std::vector<Index> Unwrapper::plan(const Triangle_surface& disc, std::vector<Expectation>& known, double boldness) const
 {
   const auto excess = [](double stretch) { return stretch * stretch - 1; };
-  // less than is needed, and more so if only a guess leads there; but no seam is wasted where the shortest are asked for
+  // less than is needed, and more so if only a guess leads there; but no seam is wasted where the shortest are asked
+  // for
   const double guess = m_options.max_stretch == 0. ? 1 : 0.7;
   const double wanted = excess(1 + (known.empty() ? guess : 0.95) * (wanted_stretch() - 1));
   const auto goal = [&](double expected) {

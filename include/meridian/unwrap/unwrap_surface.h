@@ -14,9 +14,9 @@ namespace meridian {
  * cuts a connected surface into a disc and maps it into the plane.
  *
  * The cut is the best of a family for the paper's functional, (1 - w) length + w stretch (\cite patane2007, section
- * 3.3); then its links are varied as long as that gains. It is extended to the regions of highest stretch until the
- * stretch is as small as asked (\cite gu2002), and, whether asked or not, while faces are turned over, or a map with a
- * free border has an L2 stretch of more than 100, which only a better cut can mend. Every cut is recounted.
+ * 3.3); then its links are varied as long as that gains. It is extended, by `plan_extensions()` or for maps into a
+ * polygon to the regions of highest stretch (\cite gu2002), until the stretch is as small as is wanted or that gains
+ * too little; and, whether wanted or not, while faces are turned over. Every cut is recounted.
  *
  * \param root the surface
  * \param options see there
