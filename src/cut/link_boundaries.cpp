@@ -11,6 +11,7 @@
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace meridian {
@@ -53,14 +54,24 @@ std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Re
     search.grow();
     if (progress) { progress(static_cast<double>(links.size()) / (slit.number_of_loops() - 1)); }
   }
-  for (Index loop = 1; loop < slit.number_of_loops(); ++loop) // links that went elsewhere than planned
-    while (!slit.are_joined(0, loop))
+  std::vector<Index> firsts{0}; // of each piece, a boundary
+  for (Index loop = 1; loop < slit.number_of_loops(); ++loop)
+  {
+    const auto is_known = [&] {
+      return std::any_of(firsts.begin(), firsts.end(), [&](Index a) { return slit.are_joined(a, loop); });
+    };
+    while (!is_known()) // a link went elsewhere than planned, or the piece is another
     {
       internal::Sleeve sleeve;
-      if (!search.anywhere(loop, sleeve)) { throw Internal_error("link_boundaries: a boundary cannot be reached"); }
+      if (!search.anywhere(loop, sleeve))
+      {
+        firsts.push_back(loop);
+        break;
+      }
       links.push_back(slit.insert(sleeve));
       search.grow();
     }
+  }
   if (parents) { parents->insert(parents->end(), slit.parents.begin(), slit.parents.end()); }
   return links;
 }

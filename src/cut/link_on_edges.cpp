@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/cut/link_on_edges.h>
 
-#include <meridian/base/exceptions.h>
 #include <meridian/cut/internal/slit_surface.h>
 #include <meridian/surface/Closed_model.h>
 #include <meridian/surface/measures.h>
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -48,13 +48,18 @@ public:
   void join(Index loop)
   {
     m_is_joined[loop] = 1;
+    ++m_joined;
     for (Index v : m_slit.vertices(loop))
       m_surface.for_each_outgoing(v, [&](Index h) {
         if (m_slit.loop(h) == loop) { take(0, h); }
       });
   }
 
-  // The next link, flagged, as vertices from the tree to the boundary that it joins.
+  bool is_joined(Index loop) const { return m_is_joined[loop] != 0; }
+  bool has_all() const { return m_joined == number_of_loops(); }
+
+  // The next link, flagged, as vertices from the tree to the boundary that it joins; nothing if the tree reaches all of
+  // its piece.
   std::vector<Index> add_link()
   {
     while (!m_queue.is_empty())
@@ -88,7 +93,7 @@ public:
       join(reached);
       return link;
     }
-    throw Internal_error("link_boundaries_on_edges: a boundary cannot be reached; the slit surface is not connected");
+    return {};
   }
 
 private:
@@ -106,6 +111,7 @@ private:
   std::vector<Index> m_by;        // and the halfedge by which it was reached
   std::vector<char> m_is_used;    // of each vertex: on a boundary, a seam or a link
   std::vector<char> m_is_joined;  // of each boundary
+  Index m_joined = 0;             // how many are
   // the ends of an edge that is no link on a closed surface: cut alone, it would open nothing
   std::array<Index, 2> m_forbidden{-1, -1};
   Nearest_first<Index> m_queue; // halfedges, each with its length
@@ -119,9 +125,21 @@ std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, con
 {
   internal::Edge_linker linker(s, points);
   std::vector<std::vector<Index>> links;
-  if (linker.number_of_loops() < 2) { return links; } // a disc already
-  linker.join(0);
-  while (static_cast<Index>(links.size()) + 1 < linker.number_of_loops()) { links.push_back(linker.add_link()); }
+  if (linker.number_of_loops() < 2) { return links; }           // a disc already
+  for (Index loop = 0; loop < linker.number_of_loops(); ++loop) // one piece after the other
+  {
+    if (linker.is_joined(loop)) { continue; }
+    linker.join(loop);
+    while (!linker.has_all())
+    {
+      links.push_back(linker.add_link());
+      if (links.back().empty())
+      {
+        links.pop_back();
+        break;
+      }
+    }
+  }
   return links;
 }
 

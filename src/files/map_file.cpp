@@ -60,7 +60,7 @@ std::string format(const Result_mesh& m, Result_kind kind, const std::vector<Res
   out.reserve(3 * m.origin.size() + 2 * m.face_of.size());
   const auto index = [&](std::int32_t i) { out.write(i); };
   const bool is_cut = kind == Result_kind::CUT, has_fields = kind == Result_kind::GENERATORS;
-  out.begin_dictionary(5 + !is_cut + has_fields);
+  out.begin_dictionary(5 + !is_cut + has_fields + !m.chart_of.empty());
   if (!is_cut)
   {
     out.key("result");
@@ -70,6 +70,7 @@ std::string format(const Result_mesh& m, Result_kind kind, const std::vector<Res
   write_list("origin", m.origin, out, [&](const Result_origin& o) { write_origin(o, out); });
   write_list("face_of", m.face_of, out, index);
   write_list("component_of", m.component_of, out, index);
+  if (!m.chart_of.empty()) { write_list("chart_of", m.chart_of, out, index); }
   write_list("seams", m.seams, out, [&](const std::array<std::int32_t, 2>& s) {
     out.begin_list(2);
     out.write(s[0]);

@@ -54,8 +54,8 @@ public:
   }
   bool key(std::string& name) override
   {
-    static const std::set<std::string> known{"result",       "copy_of", "origin", "face_of",
-                                             "component_of", "seams",   "fields"};
+    static const std::set<std::string> known{"result",       "copy_of",  "origin", "face_of",
+                                             "component_of", "chart_of", "seams",  "fields"};
     if (m_depth == 1 && known.count(name) == 0) { fail('"' + name + "\" is no part of a map"); }
     if (m_depth == 1 && !m_seen.insert(name).second) { fail('"' + name + "\" stands there twice"); }
     (m_depth == 1 ? m_key : m_field_key) = name;
@@ -126,6 +126,7 @@ private:
       if (m_key == "copy_of") { m_mesh.copy_of.push_back(index(x)); }
       else if (m_key == "face_of") { m_mesh.face_of.push_back(index(x)); }
       else if (m_key == "component_of") { m_mesh.component_of.push_back(index(x)); }
+      else if (m_key == "chart_of") { m_mesh.chart_of.push_back(index(x)); }
       else { fail("a number stands where a map has none"); }
     }
     else if (m_depth != (m_key == "fields" ? 5 : 3)) { fail("a number stands where a map has none"); }

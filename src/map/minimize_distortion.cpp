@@ -90,6 +90,7 @@ Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool ha
   }
   // It is the surface that is scaled, so that a border that is fixed stays to the bit.
   const double scale = std::sqrt(m_area / image);
+  m_is_roomy = has_free_border && is_roomy(m_loop, m_at);
   for (Rest_triangle& t : m_faces)
   {
     for (Plane_point& g : t.gradients) { g = scale * g; }
@@ -150,13 +151,14 @@ double Distortion_minimizer::step()
       return orientation_of(next[t.corners[0]], next[t.corners[1]], next[t.corners[2]]) <= 0;
     };
     if (!(energy(next) < before) || std::any_of(m_faces.begin(), m_faces.end(), is_turned)
-        || (m_has_free_border && !is_simple(m_loop, next)))
+        || (m_has_free_border && !(m_is_roomy ? is_roomy(m_loop, next) : is_simple(m_loop, next))))
     {
       continue;
     }
     m_gained = 1 - energy(next) / before;
     m_was_short = length < 0.8;
     m_at.swap(next);
+    m_is_roomy = m_is_roomy || is_roomy(m_loop, m_at);
     if (length < 0.4) { m_resistance = std::min(8 * m_resistance, 100.); }
     if (length > 0.8) { m_resistance = std::max(m_resistance / 2, 1e-6); }
     return gain;

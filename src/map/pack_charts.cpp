@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/map/pack_charts.h>
 
+#include <meridian/map/internal/Atlas.h>
 #include <meridian/map/planar_map.h>
 
 #include <meridian/base/Bounding_box.h>
@@ -9,127 +10,231 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace meridian {
 
+namespace internal {
+
 namespace {
 
-// Charts in their rectangles, which are put on shelves.
+// A chart in one direction, its lowest and leftmost points at 0.
+struct Turned_chart
+{
+  std::vector<Plane_point> at;
+  Plane_point extent;
+};
+
+Turned_chart turn(const std::vector<Plane_point>& points, const Plane_point& direction, double scale)
+{
+  Turned_chart turned;
+  turned.at.reserve(points.size());
+  for (const Plane_point& p : points) { turned.at.push_back({scale * dot(p, direction), scale * cross(direction, p)}); }
+  Bounding_box<Plane_point> box(turned.at.front());
+  for (const Plane_point& p : turned.at) { box.add(p); }
+  for (Plane_point& p : turned.at) { p = p - box.low; }
+  turned.extent = box.high - box.low;
+  return turned;
+}
+
 class Chart_packer
 {
 public:
-  void add(const Chart& chart, bool is_turned)
+  Chart_packer(const std::vector<Chart>& charts, std::vector<char> may_turn, const Pack_options& options)
+    : m_charts(charts), m_may_turn(std::move(may_turn)), m_options(options), m_scale(charts.size(), 1),
+      m_base(charts.size(), Plane_point{1, 0}), m_order(charts.size())
   {
-    m_placed.push_back(scale_to_area(chart, is_turned));
-    std::vector<Plane_point>& at = m_placed.back();
-    Bounding_box<Plane_point> box(at.front());
-    for (const Plane_point& p : at) { box.add(p); }
-    for (Plane_point& p : at) { p = p - box.low; }
-    m_boxes.push_back({box.high[0] - box.low[0], box.high[1] - box.low[1], 0, 0});
-    m_total += m_boxes.back().width * m_boxes.back().height;
+    for (std::size_t i = 0; i < charts.size(); ++i)
+    {
+      const double image = area_of(*charts[i].triangles, charts[i].at);
+      if (image > 0 && charts[i].area > 0) { m_scale[i] = std::sqrt(charts[i].area / image); }
+      if (m_may_turn[i]) { m_base[i] = longer_side_of_smallest_rectangle(charts[i].at); }
+      m_area += m_scale[i] * m_scale[i] * std::max(image, 0.);
+    }
+    sort_charts();
   }
 
-  // Moves all charts into the unit square.
+  // The points of all charts in the unit square.
   std::vector<std::vector<Plane_point>> pack()
   {
-    m_gap = 0.02 * std::sqrt(m_total / static_cast<double>(m_boxes.size()));
-    m_order.resize(m_boxes.size());
-    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    std::stable_sort(m_order.begin(), m_order.end(),
-                     [&](std::size_t a, std::size_t b) { return m_boxes[a].height > m_boxes[b].height; });
-    const double size = stack(best_width());
-    for (std::size_t i = 0; i < m_boxes.size(); ++i)
-      for (Plane_point& p : m_placed[i])
+    if (m_charts.size() == 1) { return place_one(); }
+    // the gap between charts is known once the square is
+    const int gap = std::max(gap_for(cells), 1);
+    for (double hoped_for = 0.6;;)
+    {
+      find_unit(hoped_for);
+      auto placed = place_all(gap);
+      double size = 0;
+      for (const auto& points : placed)
+        for (const Plane_point& p : points) { size = std::max({size, p[0], p[1]}); }
+      if (gap_for(size) > gap)
       {
-        p = {std::min((p[0] + m_boxes[i].x) / size, 1.), std::min((p[1] + m_boxes[i].y) / size, 1.)};
+        hoped_for *= 0.98 * cells * cells / (size * size);
+        continue;
       }
-    return std::move(m_placed);
+      scale_down(placed, size);
+      return placed;
+    }
   }
 
 private:
-  struct Box
-  {
-    double width, height, x, y;
-  };
+  static constexpr int cells = 1024;  // along a side that the charts are hoped to need
+  static constexpr int coarser = 4;   // how many of them are one where directions are compared
+  static constexpr double small = 32; // cells; directions of charts that are less wide are compared as they are
 
-  // The image of a chart with the area it has on the surface.
-  static std::vector<Plane_point> scale_to_area(const Chart& chart, bool is_turned)
+  int gap_for(double size) const
   {
-    const double image = area_of(*chart.triangles, chart.at);
-    const double scale = image > 0 && chart.area > 0 ? std::sqrt(chart.area / image) : 1;
-    const Plane_point d = is_turned ? longer_side_of_smallest_rectangle(chart.at) : Plane_point{1, 0};
-    std::vector<Plane_point> turned;
-    for (const Plane_point& p : chart.at) { turned.push_back({scale * dot(p, d), scale * cross(d, p)}); }
-    return turned;
+    return static_cast<int>(std::ceil(m_options.padding * size / m_options.resolution));
   }
 
-  // The width of the shelves is that of several which gives the smallest square.
-  double best_width()
+  // Finds how many cells a unit has if charts fill a part of the square.
+  void find_unit(double filled)
   {
-    double widest = 0, best = 0, least = std::numeric_limits<double>::infinity();
-    for (const Box& box : m_boxes) { widest = std::max(widest, box.width); }
-    for (double factor = 1; factor < 2; factor += 0.05)
+    const double wanted = std::max(std::sqrt(m_area / filled), m_longest);
+    m_unit = wanted > 0 ? cells / wanted : 1;
+  }
+
+  // Puts the largest first.
+  void sort_charts()
+  {
+    std::vector<double> size(m_charts.size());
+    for (std::size_t i = 0; i < m_charts.size(); ++i)
     {
-      const double width = std::max(widest, factor * std::sqrt(m_total)), size = stack(width);
-      if (size < least)
+      const Plane_point extent = turn(m_charts[i].at, m_base[i], m_scale[i]).extent;
+      size[i] = extent[0] * extent[1];
+      m_longest = std::max({m_longest, extent[0], extent[1]});
+    }
+    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+    std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
+  }
+
+  // Directions that a chart is tried in: right angles, and for one that is large those between.
+  std::vector<Plane_point> directions(std::size_t chart) const
+  {
+    constexpr double large = 0.02;
+    if (!m_may_turn[chart]) { return {{1, 0}}; }
+    const bool is_large = m_charts[chart].area > large * m_area;
+    const int count = is_large ? 24 : 4;
+    std::vector<Plane_point> all;
+    for (int k = 0; k < count; ++k)
+    {
+      const double angle = 2 * std::acos(-1.) * k / count;
+      const Plane_point &d = m_base[chart], turned{std::cos(angle), std::sin(angle)};
+      // right angles without rounding
+      const bool is_right = 4 * k % count == 0;
+      const Plane_point t = is_right ? Plane_point{std::nearbyint(turned[0]), std::nearbyint(turned[1])} : turned;
+      all.push_back({d[0] * t[0] - d[1] * t[1], d[0] * t[1] + d[1] * t[0]});
+    }
+    return all;
+  }
+
+  std::vector<std::vector<Plane_point>> place_all(int gap) const
+  {
+    Atlas atlas(2 * cells, gap), coarse(2 * cells / coarser, 0);
+    std::vector<std::vector<Plane_point>> placed(m_charts.size());
+    for (std::size_t i : m_order)
+    {
+      const std::vector<Plane_point> all = directions(i);
+      const double unit = m_unit * m_scale[i];
+      const Plane_point first = turn(m_charts[i].at, all.front(), unit).extent;
+      const bool is_small = std::min(first[0], first[1]) < small;
+      Found best;
+      if (is_small || all.size() == 1) { best = find_best(atlas, i, all, unit); }
+      else
       {
-        least = size;
-        best = width;
+        const Plane_point direction = find_best(coarse, i, all, unit / coarser).direction;
+        best = find_best(atlas, i, {direction}, unit);
       }
+      atlas.take(best.cells, *best.place);
+      coarse.take(coarsened(best.cells, *best.place, gap, coarser), {0, 0, (atlas.extent() + coarser - 1) / coarser});
+      placed[i] = std::move(best.at);
+      const Plane_point at{static_cast<double>(best.place->x), static_cast<double>(best.place->y)};
+      for (Plane_point& p : placed[i]) { p = p + at; }
+    }
+    return placed;
+  }
+
+  // A chart in the direction and at the place that are best.
+  struct Found
+  {
+    Plane_point direction{1, 0};
+    std::optional<Atlas::Place> place{};
+    Chart_cells cells{};
+    std::vector<Plane_point> at{};
+  };
+  Found find_best(const Atlas& atlas, std::size_t chart, const std::vector<Plane_point>& all, double unit) const
+  {
+    Found best;
+    for (const Plane_point& d : all)
+    {
+      Turned_chart turned = turn(m_charts[chart].at, d, unit);
+      Chart_cells of_chart = cells_of(*m_charts[chart].triangles, turned.at);
+      const auto place = atlas.find_place(of_chart, best.place, best.cells);
+      if (place) { best = {d, place, std::move(of_chart), std::move(turned.at)}; }
     }
     return best;
   }
 
-  // Puts the boxes on shelves of some width, the highest first. Returns the size of the square around them.
-  double stack(double width)
+  // A chart alone is turned so that the square around it is smallest.
+  std::vector<std::vector<Plane_point>> place_one() const
   {
-    double x = 0, y = 0, shelf = 0, right = 0;
-    for (std::size_t i : m_order)
+    constexpr int count = 90;
+    Turned_chart best = turn(m_charts[0].at, m_base[0], 1);
+    const auto size = [](const Turned_chart& t) { return std::max(t.extent[0], t.extent[1]); };
+    for (int k = 1; k < count && m_may_turn[0]; ++k)
     {
-      Box& box = m_boxes[i];
-      if (x > 0 && x + box.width > width)
-      {
-        x = 0;
-        y += shelf + m_gap;
-        shelf = 0;
-      }
-      box.x = x;
-      box.y = y;
-      x += box.width + m_gap;
-      shelf = std::max(shelf, box.height);
-      right = std::max(right, x - m_gap);
+      const double angle = std::acos(-1.) / 2 * k / count;
+      Turned_chart turned = turn(m_charts[0].at, {std::cos(angle), std::sin(angle)}, 1);
+      if (size(turned) < size(best)) { best = std::move(turned); }
     }
-    return std::max(right, y + shelf);
+    std::vector<std::vector<Plane_point>> placed{std::move(best.at)};
+    scale_down(placed, size(best));
+    return placed;
   }
 
-  std::vector<std::vector<Plane_point>> m_placed;
-  std::vector<Box> m_boxes;
-  std::vector<std::size_t> m_order; // from the highest box to the lowest
-  double m_total = 0, m_gap = 0;
-};
+  static void scale_down(std::vector<std::vector<Plane_point>>& placed, double size)
+  {
+    for (auto& points : placed)
+      for (Plane_point& p : points)
+      {
+        for (double& x : p) { x = size > 0 ? std::min(x / size, 1.) : 0; }
+      }
+  }
 
-// The images of charts, side by side in the unit square. Some charts are turned upright.
-std::vector<std::vector<Plane_point>> lay_out_charts(const std::vector<Chart>& charts,
-                                                     const std::vector<char>& is_turned)
-{
-  Chart_packer packer;
-  for (std::size_t c = 0; c < charts.size(); ++c) { packer.add(charts[c], is_turned[c] != 0); }
-  return packer.pack();
-}
+  const std::vector<Chart>& m_charts;
+  const std::vector<char> m_may_turn;
+  const Pack_options m_options;
+  std::vector<double> m_scale;      // of each chart, to the area that it has
+  std::vector<Plane_point> m_base;  // the direction of the longer side of the smallest rectangle around it
+  std::vector<std::size_t> m_order; // from the largest to the smallest
+  double m_area = 0, m_longest = 0; // of all charts; the longest side of a rectangle
+  double m_unit = 1;                // in cells
+};
 
 } // namespace
 
-void pack_charts(std::vector<Chart>& charts)
+} // namespace internal
+
+double pack_charts(std::vector<Chart>& charts, const Pack_options& options)
 {
-  std::vector<char> is_turned(charts.size(), 1);
-  auto placed = lay_out_charts(charts, is_turned);
+  std::vector<char> may_turn(charts.size(), 1);
+  auto placed = internal::Chart_packer(charts, may_turn, options).pack();
   for (std::size_t i = 0; i < charts.size(); ++i)
-    is_turned[i] = find_flipped_faces(*charts[i].triangles, placed[i]).size()
-                   <= find_flipped_faces(*charts[i].triangles, charts[i].at).size();
-  if (std::count(is_turned.begin(), is_turned.end(), 0) > 0) { placed = lay_out_charts(charts, is_turned); }
-  for (std::size_t i = 0; i < charts.size(); ++i) { charts[i].at = std::move(placed[i]); }
+    may_turn[i] = find_flipped_faces(*charts[i].triangles, placed[i]).size()
+                  <= find_flipped_faces(*charts[i].triangles, charts[i].at).size();
+  if (std::count(may_turn.begin(), may_turn.end(), 0) > 0)
+  {
+    placed = internal::Chart_packer(charts, may_turn, options).pack();
+  }
+  double filled = 0;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+  {
+    charts[i].at = std::move(placed[i]);
+    filled += area_of(*charts[i].triangles, charts[i].at);
+  }
+  return filled;
 }
 
 } // namespace meridian

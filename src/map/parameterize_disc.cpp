@@ -161,7 +161,7 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     for (Map_method m : {Map_method::POSITIVE, Map_method::TUTTE, Map_method::STRETCH}) { add(m, border); }
 
   Parameterization best;
-  bool has_no_levels = false;
+  bool has_no_levels = false, best_overlaps = false;
   for (const auto& [method, border] : choices)
   {
     std::vector<Plane_point> at;
@@ -184,15 +184,18 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     }
     place_in_unit_square(at);
     auto flipped = find_flipped_faces(disc.triangles, at);
-    best.attempts.push_back({method, border, static_cast<Index>(flipped.size()), ""});
-    if (best.at.empty() || flipped.size() < best.flipped.size())
+    const bool overlaps = flipped.empty() && !is_one_to_one(disc, at);
+    best.attempts.push_back({method, border, static_cast<Index>(flipped.size()),
+                             overlaps ? "no face is flipped, but the border meets itself" : ""});
+    if (best.at.empty() || flipped.size() < best.flipped.size() || (best_overlaps && flipped.empty() && !overlaps))
     {
+      best_overlaps = overlaps;
       best.at = std::move(at);
       best.method = method;
       best.border = border;
       best.flipped = std::move(flipped);
     }
-    if (best.flipped.empty() || has_no_levels) { break; }
+    if ((best.flipped.empty() && !best_overlaps) || has_no_levels) { break; }
   }
   if (best.at.empty()) { throw Solver_error("the disc has no map into the plane: " + best.attempts.back().reason); }
   measure(disc, best);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/map/planar_map.h>
 
+#include <meridian/base/Bounding_box.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2_algorithms.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/min_quadrilateral_2.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace meridian {
@@ -44,6 +48,23 @@ bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& a
 {
   std::vector<Point_2> polygon;
   for (Index v : loop) { polygon.emplace_back(at[v][0], at[v][1]); }
+  return CGAL::is_simple_2(polygon.begin(), polygon.end());
+}
+
+bool is_roomy(const std::vector<Index>& loop, const std::vector<Plane_point>& at)
+{
+  constexpr int fine = 36;
+  Bounding_box<Plane_point> box(at[loop.front()]);
+  for (Index v : loop) { box.add(at[v]); }
+  const double size = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  if (!(size > 0)) { return false; }
+  const double step = std::ldexp(1., std::ilogb(size) - fine);
+  std::vector<Point_2> polygon;
+  for (Index v : loop)
+  {
+    polygon.emplace_back(std::nearbyint((at[v][0] - box.low[0]) / step),
+                         std::nearbyint((at[v][1] - box.low[1]) / step));
+  }
   return CGAL::is_simple_2(polygon.begin(), polygon.end());
 }
 

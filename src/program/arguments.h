@@ -14,6 +14,7 @@
 #include <meridian/field/Field.h>
 #include <meridian/field/edge_weights.h>
 #include <meridian/map/Map_method.h>
+#include <meridian/map/pack_charts.h>
 #include <meridian/unwrap/compare_parameterizations.h>
 
 #include <optional>
@@ -66,6 +67,8 @@ struct Unwrap_arguments : Cut_arguments // with a family, the best of its member
   std::optional<double> max_stretch;       // 0: the shortest seams
   std::string layout, texture, distortion; // paths, or empty
   int geometry_image = 0;                  // pixels along a side, or 0
+  int charts = 1;                          // 0: as many as are needed
+  Pack_options packing;
 };
 
 struct Compare_arguments : Common_arguments

@@ -110,7 +110,7 @@ std::string format_view(const std::string& title, const Examination& examination
     parts.push_back({examination.components[i].surface, cuts[i].surface, cuts[i].field});
     for (const Named_curve& c : cuts[i].curves)
     {
-      const bool is_other = c.kind == Curve_kind::LINK || c.kind == Curve_kind::PATH;
+      const bool is_other = c.kind == Curve_kind::LINK || c.kind == Curve_kind::PATH || c.kind == Curve_kind::ARC;
       curves.push_back({is_other ? page::Curve::OTHER : page::Curve::MERIDIAN, i, c.vertices, c.is_closed, "", {}});
     }
     genus += cuts[i].genus;

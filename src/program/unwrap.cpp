@@ -19,7 +19,6 @@
 #include <meridian/cut/Cut_options.h>
 #include <meridian/map/Parameterization.h>
 #include <meridian/map/distortion.h>
-#include <meridian/map/pack_charts.h>
 #include <meridian/map/planar_map.h>
 #include <meridian/proof/verify_unwrapping.h>
 #include <meridian/result/Assembled_result.h>
@@ -29,6 +28,7 @@
 #include <meridian/unwrap/Unwrapping.h>
 #include <meridian/unwrap/geometry_image.h>
 #include <meridian/unwrap/measure_round_trip.h>
+#include <meridian/unwrap/pack_unwrappings.h>
 #include <meridian/unwrap/unwrap_surface.h>
 
 #include <chrono>
@@ -64,6 +64,10 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const auto format = files::format_of(a.distortion);
   forbid(!a.distortion.empty() && !(format && files::holds_face_values(*format)),
          "--distortion writes PLY or VTP, which can hold values of faces");
+  forbid(a.charts != 1 && a.geometry_image > 0, "--geometry-image is one chart; leave out --charts");
+  forbid(a.charts != 1 && (a.family > 1 || a.stretch_weight > 0),
+         "--family and --stretch-weight compare cuts into one chart; leave out --charts");
+  forbid(4 * a.packing.padding > a.packing.resolution, "--padding is more than a quarter of --resolution");
   std::vector<std::string> written{
     a.out, files::map_path(a.out, a.map), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
   if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
@@ -87,33 +91,37 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
   o.stretch_weight = a.stretch_weight;
   o.max_stretch = a.max_stretch;
   o.image_size = a.geometry_image;
+  o.charts = a.charts;
   return o;
 }
 
-// Packs the maps, and measures them as they then are. Returns texture coordinates for the vertices of a result.
-std::vector<Plane_point> pack(const Loaded_mesh& loaded, std::vector<Unwrapping>& unwrapped,
-                              const Assembled_result& assembled)
+// Packs the maps of all components. Returns texture coordinates for the vertices of a result, and gives its faces their
+// charts, if a component has several.
+std::vector<Plane_point> pack(const Unwrap_arguments& arguments, const Loaded_mesh& loaded,
+                              std::vector<Unwrapping>& unwrapped, Assembled_result& assembled)
 {
-  double largest = 0;
-  for (const Surface_component& c : loaded.examination.components) { largest = std::max(largest, c.unit); }
-  std::vector<Chart> charts;
+  const bool is_image = unwrapped.front().border.size > 0; // whose square stays as it is
+  std::vector<double> units;
+  for (const Surface_component& c : loaded.examination.components) { units.push_back(c.unit); }
+  if (!is_image) { pack_unwrappings(unwrapped, units, arguments.packing); }
+  std::vector<Plane_point> texture(assembled.mesh.points.size(), {0, 0});
+  std::vector<std::int32_t> chart_of(assembled.mesh.points.size(), 0); // each vertex
+  std::size_t charts = 0;
   for (std::size_t i = 0; i < unwrapped.size(); ++i)
   {
-    // squares of units may leave the range of double
-    const double unit = loaded.examination.components[i].unit / largest;
-    charts.push_back({&unwrapped[i].disc.triangles, unwrapped[i].map.at, unit * unit * area(unwrapped[i].disc)});
+    const Unwrapping& u = unwrapped[i];
+    const std::vector<Index>& place = assembled.place[i];
+    for (std::size_t v = 0; v < u.map.at.size(); ++v) { texture[place[v]] = u.map.at[v]; }
+    for (std::size_t f = 0; f < u.disc.triangles.size(); ++f)
+    {
+      const std::size_t chart = charts + (u.chart_of.empty() ? 0 : static_cast<std::size_t>(u.chart_of[f]));
+      for (Index v : u.disc.triangles[f]) { chart_of[place[v]] = static_cast<std::int32_t>(chart); }
+    }
+    charts += u.charts;
   }
-  if (unwrapped.front().border.size == 0) { pack_charts(charts); } // the square of a geometry image stays as it is
-  std::vector<Plane_point> texture(assembled.mesh.points.size(), {0, 0});
-  for (std::size_t i = 0; i < charts.size(); ++i)
+  if (charts > unwrapped.size())
   {
-    const Triangle_surface& disc = unwrapped[i].disc;
-    Parameterization& map = unwrapped[i].map;
-    map.at = std::move(charts[i].at);
-    map.flipped = find_flipped_faces(disc.triangles, map.at);
-    map.faces = measure_faces(disc.points, disc.triangles, map.at);
-    map.distortion = measure_distortion(disc.points, disc.triangles, map.at, map.faces);
-    for (std::size_t v = 0; v < map.at.size(); ++v) { texture[assembled.place[i][v]] = map.at[v]; }
+    for (const auto& face : assembled.mesh.faces) { assembled.mesh.chart_of.push_back(chart_of[face[0]]); }
   }
   return texture;
 }
@@ -166,7 +174,8 @@ Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
           {"family", report_steps(u.members, unit)},
           {"links", report_steps(u.variations, unit)},
           {"extensions", report_steps(u.extensions, unit)},
-          {"extended_to", u.extended}};
+          {"extended_to", u.extended},
+          {"charts", u.charts}};
 }
 
 // The distortion of each face of a result, with numbers in place of infinity.
@@ -276,8 +285,9 @@ std::vector<std::string> notes_of(const std::vector<Unwrapping>& unwrapped, cons
     {
       notes.push_back(component + "mapped by " + name_of(u.map.method) + " (border " + name_of(u.map.border)
                       + "), because " + name_of(asked.method) + " (border " + name_of(asked.border) + ") "
-                      + (asked.flipped < 0 ? "gave no map: " + asked.reason
-                                           : "left " + std::to_string(asked.flipped) + " flipped faces"));
+                      + (asked.flipped < 0       ? "gave no map: " + asked.reason
+                         : !asked.reason.empty() ? "left a map that is not one-to-one: " + asked.reason
+                                                 : "left " + std::to_string(asked.flipped) + " flipped faces"));
     }
     if (u.extended > 0)
     {
@@ -321,22 +331,34 @@ std::vector<std::string> warnings_of(const std::vector<Unwrapping>& unwrapped)
   return warnings;
 }
 
-// Where a stretch that was asked for was not reached, and why.
+// Where a stretch or a number of charts that was asked for was not reached, and why.
 std::vector<std::string> missed_of(const Unwrap_arguments& arguments, const std::vector<Unwrapping>& unwrapped,
                                    const std::vector<Unwrap_options>& options)
 {
+  const double wanted = arguments.max_stretch.value_or(arguments.charts == 0 ? default_max_stretch_of_charts : 0);
   std::vector<std::string> all;
-  for (std::size_t i = 0; i < unwrapped.size() && arguments.max_stretch.value_or(0) > 0; ++i)
+  for (std::size_t i = 0; i < unwrapped.size(); ++i)
   {
     const Unwrapping& u = unwrapped[i];
-    if (u.map.distortion.stretch_l2 <= *arguments.max_stretch) { continue; }
     std::ostringstream missed;
-    missed << "component " << i << ": the L2 stretch is " << u.map.distortion.stretch_l2 << ", more than the "
-           << *arguments.max_stretch << " asked for; its cut was extended to "
-           << count_of(u.extended, "vertex", "vertices")
-           << (u.extended >= static_cast<std::size_t>(options[i].extensions) ? ", and no more are tried"
-                                                                             : ", and more of them gained too little");
-    all.push_back(missed.str());
+    missed << "component " << i << ": ";
+    if (arguments.charts > 1 && u.charts < static_cast<std::size_t>(arguments.charts))
+    {
+      missed << count_of(u.charts, "chart", "charts") << ", fewer than the " << arguments.charts
+             << " asked for; no arc divides any further";
+      all.push_back(missed.str());
+    }
+    else if (wanted > 0 && u.map.distortion.stretch_l2 > wanted)
+    {
+      missed << "the L2 stretch is " << u.map.distortion.stretch_l2 << ", more than the " << wanted
+             << " asked for; its cut was extended to " << count_of(u.extended, "vertex", "vertices")
+             << (u.extended >= static_cast<std::size_t>(options[i].extensions)
+                   ? ", and no more are tried"
+                   : ", and more of them gained too little");
+      if (arguments.charts == 0) { missed << "; it is divided into " << count_of(u.charts, "chart", "charts"); }
+      else { missed << "; --charts auto divides it"; }
+      all.push_back(missed.str());
+    }
   }
   return all;
 }
@@ -395,9 +417,11 @@ int run_unwrap(const Unwrap_arguments& arguments)
     found.push_back(std::move(unwrapped.back().cut));
   }
   std::vector<Plane_point> texture;
-  Cut_result result = conclude_cut(loaded, std::move(found), cuts, terminal, [&](const Assembled_result& assembled) {
-    texture = pack(loaded, unwrapped, assembled);
-    return verify_unwrapping(loaded.soup, assembled.mesh, texture);
+  Cut_result result = assemble_cut(loaded, std::move(found), cuts);
+  texture = pack(arguments, loaded, unwrapped, result.assembled);
+  const double gap = arguments.packing.padding / arguments.packing.resolution;
+  verify(result, terminal, [&](const Assembled_result& assembled) {
+    return verify_unwrapping(loaded.soup, assembled.mesh, texture, gap);
   });
   const Result_mesh& mesh = result.assembled.mesh;
   const Verification& verification = result.verification;
@@ -492,6 +516,20 @@ Command add_unwrap(CLI::App& app)
                  "extend the cut until the L2 stretch is at most S; otherwise until it is 1.1, where that gains enough")
     ->check(CLI::Range(1., 1e300))
     ->type_name("S");
+  command
+    ->add_option_function<std::string>(
+      "--charts", [a](const std::string& n) { a->charts = n == "auto" ? 0 : std::stoi(n); },
+      "divide each component into N charts, or as few as bring the L2 stretch to S, by itself 1.02")
+    ->check(CLI::Range(1, 1000000) | CLI::IsMember({"auto"}))
+    ->type_name("N|auto");
+  command->add_option("--resolution", a->packing.resolution, "texels along a side of the texture that is packed for")
+    ->check(CLI::Range(16, 65536))
+    ->type_name("N")
+    ->capture_default_str();
+  command->add_option("--padding", a->packing.padding, "texels between charts, at least")
+    ->check(CLI::Range(0., 1024.))
+    ->type_name("P")
+    ->capture_default_str();
   command->add_flag("--shortest-seams", "extend the cut only where the L2 stretch is more than 2")
     ->excludes("--max-stretch");
   add_cut_options(*command, *a, Tightening::CURVES);

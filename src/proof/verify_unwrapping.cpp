@@ -2,6 +2,7 @@
 #include <meridian/proof/verify_unwrapping.h>
 
 #include <meridian/base/list_elements.h>
+#include <meridian/proof/internal/verify_layout.h>
 #include <meridian/proof/verify_cut.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -43,39 +44,12 @@ bool is_flipped(const std::array<std::int32_t, 3>& face, const Texture& texture)
   return CGAL::orientation(corners[0], corners[1], corners[2]) != CGAL::LEFT_TURN;
 }
 
-// The components whose bounding rectangles overlap that of one before.
-std::vector<std::int32_t> find_overlapping(const Result_mesh& result, const Texture& texture, std::size_t components)
-{
-  std::vector<std::array<double, 4>> boxes(components, {2, 2, -1, -1});
-  for (std::size_t f = 0; f < result.faces.size(); ++f)
-  {
-    auto& box = boxes[static_cast<std::size_t>(result.component_of[f])];
-    for (std::int32_t v : result.faces[f])
-      for (std::size_t d = 0; d < 2; ++d)
-      {
-        const double x = texture[static_cast<std::size_t>(v)][d];
-        box[d] = std::min(box[d], x);
-        box[d + 2] = std::max(box[d + 2], x);
-      }
-  }
-  std::vector<std::int32_t> overlapping;
-  for (std::size_t a = 0; a < components; ++a)
-  {
-    const bool overlaps =
-      std::any_of(boxes.begin(), boxes.begin() + static_cast<std::ptrdiff_t>(a), [&](const auto& b) {
-        return boxes[a][0] < b[2] && b[0] < boxes[a][2] && boxes[a][1] < b[3] && b[1] < boxes[a][3];
-      });
-    if (overlaps) { overlapping.push_back(static_cast<std::int32_t>(a)); }
-  }
-  return overlapping;
-}
-
 } // namespace
 
 } // namespace verification
 
 Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result,
-                               const std::vector<Plane_point>& texture)
+                               const std::vector<Plane_point>& texture, double gap)
 {
   Verification found = verify_cut(input, result);
   if (texture.size() != result.points.size())
@@ -88,6 +62,11 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
   const auto list = [&](const char* what, const std::vector<std::int32_t>& elements) {
     if (!elements.empty()) { found.failures.push_back(internal::list_elements(what, elements)); }
   };
+  const auto list_once = [&](const char* what, std::vector<std::int32_t> elements) {
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    list(what, elements);
+  };
   std::vector<std::int32_t> flipped, outside;
   for (std::size_t f = 0; f < result.faces.size(); ++f)
   {
@@ -96,8 +75,12 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
   }
   list("faces have texture coordinates outside of the unit square", outside);
   list("faces are turned over or have no area in the plane", flipped);
-  list("components overlap others in the plane",
-       verification::find_overlapping(result, texture, found.components.size()));
+  if (!outside.empty() || !flipped.empty()) { return found; }
+  const verification::Layout_verifier layout(result, texture);
+  list_once("faces have a border in the plane that meets another", layout.find_meeting());
+  if (!found) { return found; }
+  list_once("charts lie inside others in the plane; they begin with faces", layout.find_inside());
+  if (gap > 0) { list_once("faces are nearer to another chart than the padding", layout.find_near(gap)); }
   return found;
 }
 

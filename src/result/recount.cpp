@@ -3,6 +3,8 @@
 
 #include <meridian/base/vectors.h>
 
+#include <meridian/surface/pieces.h>
+
 #include <numeric>
 
 namespace meridian {
@@ -63,6 +65,18 @@ Verification verify_cut(const Triangle_surface& root, const Cut& cut)
 {
   const Polygon_soup soup = internal::soup_of(root);
   return verify_cut(soup, assemble_result(soup, internal::examination_of(root), std::vector<Cut>{cut}).mesh);
+}
+
+Verification verify_charts(const Triangle_surface& root, const Cut& cut)
+{
+  const Polygon_soup soup = internal::soup_of(root);
+  Result_mesh mesh = assemble_result(soup, internal::examination_of(root), std::vector<Cut>{cut}).mesh;
+  Triangle_surface opened;
+  opened.points = mesh.points;
+  opened.triangles = mesh.faces;
+  connect(opened);
+  mesh.chart_of = number_pieces(opened);
+  return verify_cut(soup, mesh);
 }
 
 } // namespace meridian

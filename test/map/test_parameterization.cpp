@@ -454,55 +454,6 @@ BOOST_AUTO_TEST_CASE(the_cut_of_least_cost_is_taken)
   }
 }
 
-BOOST_AUTO_TEST_CASE(charts_are_packed_side_by_side_at_one_scale)
-{
-  std::vector<Triangle_surface> discs;
-  for (int i = 1; i <= 12; ++i)
-  {
-    discs.push_back(sample::sheet(i, 3, [&](double x, double y) {
-      return Point{i * x * std::cos(i), i * x * std::sin(i) + 0.3 * y, y};
-    }));
-  }
-  std::vector<Chart> charts;
-  std::vector<double> areas;
-  for (const Triangle_surface& d : discs)
-  {
-    double area = 0;
-    for (const auto& t : d.triangles)
-    {
-      area += norm(cross(d.points[t[1]] - d.points[t[0]], d.points[t[2]] - d.points[t[0]])) / 2;
-    }
-    areas.push_back(area);
-    charts.push_back({&d.triangles, pipeline::map(d).at, area});
-  }
-  pack_charts(charts);
-  double covered = 0;
-  std::vector<std::array<double, 4>> boxes;
-  for (std::size_t i = 0; i < charts.size(); ++i)
-  {
-    BOOST_TEST(recount_flips(discs[i].triangles, charts[i].at) == 0);
-    const double image = area_of(discs[i].triangles, charts[i].at);
-    covered += image;
-    BOOST_TEST(image / areas[i] == area_of(discs[0].triangles, charts[0].at) / areas[0],
-               boost::test_tools::tolerance(1e-9));
-    std::array<double, 4> box{1, 1, 0, 0};
-    for (const Plane_point& p : charts[i].at)
-      for (int k = 0; k < 2; ++k)
-      {
-        BOOST_TEST(p[k] >= 0);
-        BOOST_TEST(p[k] <= 1);
-        box[k] = std::min(box[k], p[k]);
-        box[k + 2] = std::max(box[k + 2], p[k]);
-      }
-    for (const auto& other : boxes)
-    {
-      BOOST_TEST((box[2] < other[0] || other[2] < box[0] || box[3] < other[1] || other[3] < box[1]));
-    }
-    boxes.push_back(box);
-  }
-  BOOST_TEST(covered > 0.5); // rectangles all, so there is no excuse
-}
-
 namespace {
 
 // Two components, so that charts can overlap.
@@ -562,6 +513,35 @@ BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
   faulty = texture;
   faulty.pop_back();
   expect(mesh, faulty, "texture coordinates");
+  const auto move = [&](std::size_t i, double scale, const Plane_point& to) {
+    for (std::size_t v = 0; v < charts[i].at.size(); ++v)
+    {
+      faulty[run.assembled.place[i][v]] = scale * (charts[i].at[v] - charts[i].at[0]) + to;
+    }
+  };
+  faulty = texture;
+  const auto& inner = discs[0].triangles[20];
+  const std::array<Plane_point, 3> at{charts[0].at[inner[0]], charts[0].at[inner[1]], charts[0].at[inner[2]]};
+  move(1, 1e-4, (1. / 3) * (at[0] + at[1] + at[2]));
+  expect(mesh, faulty, "charts lie inside others");
+  BOOST_TEST(verify_unwrapping(soup, mesh, texture, 1e-9).failures.size() == 0u);
+  BOOST_TEST_REQUIRE(verify_unwrapping(soup, mesh, texture, 0.5).failures.size() == 1u);
+  BOOST_TEST(verify_unwrapping(soup, mesh, texture, 0.5).failures[0].find("nearer to another chart")
+             != std::string::npos);
+
+  Result_mesh charted = mesh;
+  charted.chart_of = mesh.component_of;
+  expect(charted, texture, "");
+  charted.chart_of.assign(mesh.faces.size(), 0);
+  expect(charted, texture, "charts are not one disc each");
+  charted.chart_of = mesh.component_of;
+  charted.chart_of[20] = 1 - charted.chart_of[20];
+  expect(charted, texture, "in another chart than what they are joined to");
+  charted.chart_of[20] = -1;
+  expect(charted, texture, "have a chart out of range");
+  charted.chart_of.pop_back();
+  expect(charted, texture, "entries for the charts");
+
   faulty = texture;
   for (std::size_t i = 0; i < 2; ++i) // both to the same corner
   {
@@ -569,7 +549,7 @@ BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
     for (const Plane_point& p : charts[i].at) { low = {std::min(low[0], p[0]), std::min(low[1], p[1])}; }
     for (std::size_t v = 0; v < charts[i].at.size(); ++v) { faulty[run.assembled.place[i][v]] = charts[i].at[v] - low; }
   }
-  expect(mesh, faulty, "overlap");
+  expect(mesh, faulty, "border in the plane that meets another");
   Result_mesh torn = mesh;
   torn.seams.pop_back();
   BOOST_TEST(!verify_unwrapping(soup, torn, texture));

@@ -317,13 +317,107 @@ BOOST_FIXTURE_TEST_CASE(a_map_that_smears_is_warned_of, Fixture)
   BOOST_TEST(json("report.json")["components"][0]["cut"]["length"] > shortest);
 }
 
+BOOST_FIXTURE_TEST_CASE(a_mesh_is_divided_into_charts_and_recounted, Fixture)
+{
+  for (const std::string option :
+       {"--charts 5", "--charts auto --max-stretch 1.01", "--charts 3 --on-edges --map cbor"})
+  {
+    const auto r =
+      meridian("unwrap mesh.obj -o uv.obj --report report.json --svg uv.svg --view uv.html --curves c.obj " + option);
+    BOOST_TEST_REQUIRE(r.status == 0, option + r.error);
+    const auto report = json("report.json");
+    const int charts = report["components"][0]["parameterization"]["charts"];
+    BOOST_TEST(report["verified"] == true);
+    BOOST_TEST((option[9] == 'a' || charts == option[9] - '0'));
+    BOOST_TEST(report["components"][0]["cut"]["arcs"].size() == static_cast<std::size_t>(charts) - 1);
+    BOOST_TEST(report["components"][0]["cut"]["euler_characteristic"] == charts);
+    const auto v = meridian("verify mesh.obj uv.obj");
+    BOOST_TEST(v.status == 0, v.error);
+    BOOST_TEST(contains(v.out, "became " + std::to_string(charts) + " piece"), v.out);
+    BOOST_TEST(lines_of(text("c.obj"), "g").size() >= static_cast<std::size_t>(charts) - 1);
+    std::filesystem::remove(folder() / "uv.map.json");
+    std::filesystem::remove(folder() / "uv.map.cbor");
+  }
+}
+
+// The claim that charts are discs is in the map, and is not believed.
+BOOST_FIXTURE_TEST_CASE(a_map_that_says_nothing_of_charts_is_not_verified_beside_them, Fixture)
+{
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --charts 4").status == 0);
+  auto map = json("uv.map.json");
+  BOOST_TEST_REQUIRE(map.contains("chart_of"));
+  auto claim = map;
+  claim["chart_of"][0] = 1 - claim["chart_of"][0].get<int>();
+  write("uv.map.json", claim.dump());
+  BOOST_TEST(contains(meridian("verify mesh.obj uv.obj").error, "in another chart"));
+  map.erase("chart_of");
+  write("uv.map.json", map.dump());
+  const auto r = meridian("verify mesh.obj uv.obj");
+  BOOST_TEST(r.status == 2);
+  BOOST_TEST(contains(r.error, "did not become one disc"), r.error);
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj").status == 0);
+  BOOST_TEST(!json("uv.map.json").contains("chart_of"));
+}
+
+BOOST_FIXTURE_TEST_CASE(charts_that_are_missing_are_said_so, Fixture)
+{
+  write("face.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const auto r = meridian("unwrap face.obj -o uv.obj --charts 2 --report report.json");
+  BOOST_TEST(r.status == 2);
+  BOOST_TEST(contains(r.error, "1 chart, fewer than the 2 asked for"), r.error);
+  BOOST_TEST(json("report.json")["verified"] == false);
+}
+
+BOOST_FIXTURE_TEST_CASE(padding_keeps_components_apart, Fixture)
+{
+  std::string two = obj(sample::torus(9, 7));
+  const auto once = sample::torus(9, 7);
+  for (const auto& p : once.points)
+  {
+    two += "v " + std::to_string(p[0] + 9) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  }
+  const Index n = once.number_of_vertices() + 1;
+  for (const auto& t : once.triangles)
+  {
+    two += "f " + std::to_string(t[0] + n) + " " + std::to_string(t[1] + n) + " " + std::to_string(t[2] + n) + "\n";
+  }
+  write("two.obj", two);
+  double covered = 1;
+  for (const std::string padding : {"0", "24"})
+  {
+    BOOST_TEST_REQUIRE(
+      meridian("unwrap two.obj -o uv.obj --resolution 128 --padding " + padding + " --report report.json --quiet")
+        .status
+      == 0);
+    BOOST_TEST(json("report.json")["texture"]["coverage"] < covered);
+    covered = json("report.json")["texture"]["coverage"];
+  }
+}
+
 BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture)
 {
-  for (const std::string option : {"--parameterization lscm --border circle", "--parameterization tutte --border free",
-                                   "--geometry-image 33 --on-edges", "--geometry-image 33 --parameterization arap",
-                                   "--geometry-image 33 --border circle", "--png board.jpg", "--distortion faces.obj",
-                                   "--stretch-weight 2", "--max-stretch 0.5", "--max-stretch 1.5 --shortest-seams",
-                                   "--svg uv.obj", "--svg uv.map.json", "--png uv.mtl", "--parameterization best"})
+  for (const std::string option : {"--parameterization lscm --border circle",
+                                   "--parameterization tutte --border free",
+                                   "--geometry-image 33 --on-edges",
+                                   "--geometry-image 33 --parameterization arap",
+                                   "--geometry-image 33 --border circle",
+                                   "--png board.jpg",
+                                   "--distortion faces.obj",
+                                   "--stretch-weight 2",
+                                   "--max-stretch 0.5",
+                                   "--max-stretch 1.5 --shortest-seams",
+                                   "--svg uv.obj",
+                                   "--svg uv.map.json",
+                                   "--png uv.mtl",
+                                   "--parameterization best",
+                                   "--charts 0",
+                                   "--charts many",
+                                   "--charts -1",
+                                   "--charts 2.5",
+                                   "--charts 3 --geometry-image 33",
+                                   "--charts auto --family 3",
+                                   "--charts auto --stretch-weight 0.5",
+                                   "--resolution 64 --padding 30"})
   {
     const auto r = meridian("unwrap mesh.obj -o uv.obj " + option);
     BOOST_TEST(r.status == 64, option + ": " + std::to_string(r.status));

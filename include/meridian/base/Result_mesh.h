@@ -42,6 +42,8 @@ struct Result_mesh
   std::vector<Result_origin> origin;              ///< for each vertex
   std::vector<std::int32_t> face_of;              ///< for each face the polygon of the input
   std::vector<std::int32_t> component_of;         ///< for each face
+  /// for each face the disc that it is in, those of all components numbered through; empty: each component is one disc
+  std::vector<std::int32_t> chart_of;
   /// pairs of sides that were one edge; side `3*f + k` leaves corner `k` of face `f`
   std::vector<std::array<std::int32_t, 2>> seams;
 };

@@ -25,17 +25,19 @@ enum class Curve_kind
   LONGITUDE, ///< closed, along it
   FLOW_LINE, ///< of a field, from a saddle down
   LINK,      ///< between boundaries
+  ARC,       ///< from border to border through a disc, which it divides
   PATH       ///< of the graph, where its curves are none of these: with methods that cut edges and `Tightening::GRAPH`
 };
 
 /// the names of `Curve_kind`.
 template <> struct Names<Curve_kind>
 {
-  static constexpr std::array<Named_value<Curve_kind>, 5> table{{
+  static constexpr std::array<Named_value<Curve_kind>, 6> table{{
     {Curve_kind::MERIDIAN, "meridian", "closed, around a handle"},
     {Curve_kind::LONGITUDE, "longitude", "closed, along a handle"},
     {Curve_kind::FLOW_LINE, "flow_line", "of a field, from a saddle down"},
     {Curve_kind::LINK, "link", "between boundaries"},
+    {Curve_kind::ARC, "arc", "through a disc, which it divides"},
     {Curve_kind::PATH, "path", "a path of the cut graph"},
   }};
 };

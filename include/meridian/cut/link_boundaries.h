@@ -32,7 +32,8 @@ struct Link_options
 /*!
  * \ingroup PkgMeridianLinks
  *
- * joins all boundaries of a slit genus-0 surface by a tree of shortest paths, which makes it a disc.
+ * joins all boundaries of a slit genus-0 surface by a tree of shortest paths, which makes it a disc; if it is several
+ * pieces, those of each piece.
  *
  * The Voronoi diagram of the boundaries is grown until its cells' contacts hold a minimum spanning tree
  * (\cite kruskal1956); it gives the pairs. Each link is then found as a strip of faces, moved and pulled until it is
@@ -50,8 +51,8 @@ struct Link_options
  * \param points vertices of `s` that the links shall reach too, like boundaries
  *
  * \returns the links as vertices of `s`
- * \pre cutting `s` along its seams leaves a connected surface of genus 0
- * \post cutting it along all seams leaves a disc
+ * \pre cutting `s` along its seams leaves pieces of genus 0; if it has neither seams nor a boundary, one
+ * \post cutting it along all seams leaves discs
  * \throws Internal_error if two boundaries cannot be joined
  * \par Complexity
  * \f$ O(n \log n) \f$, plus the size of two cells for each link that meets an earlier one

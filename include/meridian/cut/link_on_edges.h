@@ -12,8 +12,8 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianLinks
  *
- * joins all boundaries of a slit genus-0 surface by a tree of paths along existing edges, which makes it a disc. No
- * vertex is added.
+ * joins all boundaries of a slit genus-0 surface by a tree of paths along existing edges, which makes it a disc; if it
+ * is several pieces, those of each piece. No vertex is added.
  *
  * The tree grows from one boundary (\cite prim1957): each link is the shortest path of edges from what is joined so far
  * to the nearest other boundary, and its inside avoids all vertices of boundaries, seams and links. It may begin on an
@@ -34,9 +34,8 @@ namespace meridian {
  * \param points vertices that links shall pass through or end at
  *
  * \returns the links as vertices of `s`, each from the tree before it to the boundary that it joins
- * \pre cutting `s` along its seams leaves a connected surface of genus 0
- * \post cutting it along all seams leaves a disc
- * \throws Internal_error if a boundary cannot be reached
+ * \pre cutting `s` along its seams leaves pieces of genus 0; if it has neither seams nor a boundary, one
+ * \post cutting it along all seams leaves discs
  * \par Complexity
  * \f$ O(n \log n) \f$ where each vertex comes nearer to the tree a bounded number of times; for each link that again at
  * worst

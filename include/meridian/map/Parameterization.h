@@ -40,7 +40,7 @@ struct Map_attempt
   Map_method method;  ///< the method
   Map_border border;  ///< where it put the border
   Index flipped;      ///< faces turned over or without area; -1 if there was no map
-  std::string reason; ///< why there was none
+  std::string reason; ///< why there was none, or what else was wrong with it
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -52,7 +52,7 @@ struct Parameterization
   std::vector<Plane_point> at;
   Map_method method = Map_method::SYMMETRIC_DIRICHLET; ///< that was used
   Map_border border = Map_border::FREE;                ///< where the border is
-  /// the last is the one used, unless all had flipped faces; then that with the fewest
+  /// the last is the one used, unless none was one-to-one; then that with the fewest flipped faces
   std::vector<Map_attempt> attempts;
   std::vector<Index> flipped;         ///< the faces turned over or without area, exactly
   bool is_one_to_one = false;         ///< whether no face is flipped and the border does not meet itself, exactly

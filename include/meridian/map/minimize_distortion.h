@@ -75,6 +75,7 @@ private:
   std::vector<char> m_may_move; // of each vertex, and of the box
   double m_gained = 0;
   bool m_was_short = true; // whether something was in the way of the last step
+  bool m_is_roomy = false; // whether the border has room between its sides, as it then keeps
   bool m_is_first = true;  // whether no step was made yet
 };
 

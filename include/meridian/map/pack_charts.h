@@ -10,28 +10,42 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// a map of one component, to be packed with others.
+/// a map of a disc, to be packed with others.
 struct Chart
 {
   const std::vector<std::array<Index, 3>>* triangles; ///< its faces, which are the caller's
   std::vector<Plane_point> at;                        ///< the image of each vertex
-  double area;                                        ///< of the component, in one unit for all charts
+  double area;                                        ///< of the disc, in one unit for all charts
+};
+
+/// \ingroup PkgMeridianParameterization
+/// how charts are packed.
+struct Pack_options
+{
+  int resolution = 2048; ///< texels along a side of the square
+  double padding = 2;    ///< texels between two charts, at least
 };
 
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * puts charts side by side into the unit square, all at one scale of area, so that their bounding rectangles are
- * disjoint.
+ * packs charts into the unit square by their outlines, all at one scale of area.
  *
- * Each chart is turned until its bounding rectangle is smallest, unless rounding would then turn a face over; the
- * rectangles stand on shelves, the highest first.
+ * Charts are taken by size, the largest first. Each is tried in several directions, large ones in many, at all places
+ * of a grid of cells where it touches no cell that another chart or its padding touches, and so also inside of the bays of
+ * others; the place is taken with which the square grows least (\cite levy2002 lets charts down onto a horizon instead,
+ * which leaves bays empty). Then the square is scaled to the unit square. A chart is not turned if rounding would then
+ * turn a face over.
  *
  * \param charts the charts; their points are moved
+ * \param options see there
+ * \returns the part of the square that is filled
+ * \pre there is a chart; no padding is more than a quarter of the resolution
  * \par Complexity
- * \f$ O(n \log n) \f$
+ * For each chart and direction, the number of the chart's rows of cells times that of the square's, of which there are
+ * up to about 1024.
  */
-void pack_charts(std::vector<Chart>& charts);
+double pack_charts(std::vector<Chart>& charts, const Pack_options& options = Pack_options());
 
 } // namespace meridian
 

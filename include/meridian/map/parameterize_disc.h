@@ -13,7 +13,7 @@ namespace meridian {
  *
  * maps a disc into the plane.
  *
- * If the method asked for leaves flipped faces, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a
+ * If the method asked for leaves flipped faces or an overlap, the next safer one is tried: `SYMMETRIC_DIRICHLET` after another with a
  * free border, then averages with positive weights, which flip nothing in exact arithmetic, with uniform ones, and with
  * weights changed until stretch is low; after a square, whose sides may hold all corners of a face, a circle, unless a
  * polygon is given. If a disc of more than 100 000 vertices has no map with a free border, only one safer method is
@@ -23,7 +23,7 @@ namespace meridian {
  * \param options see there
  * \param progress told how much is done of maps of low distortion
  *
- * \returns the first map without flipped faces, or, if there is none, that of those tried with the fewest
+ * \returns the first map that is one-to-one, or, if there is none, that of those tried with the fewest flipped faces
  * \pre `disc` is a disc
  * \throws Invalid_input_error as `check()`, Solver_error if no method gives a map
  * \par Complexity

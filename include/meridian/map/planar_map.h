@@ -35,6 +35,13 @@ double area_of(const std::vector<std::array<Index, 3>>& triangles, const std::ve
 bool is_simple(const std::vector<Index>& loop, const std::vector<Plane_point>& at);
 
 /// \ingroup PkgMeridianParameterization
+/// \param loop the vertices of a polygon, in order
+/// \param at the image of each vertex
+/// \returns whether it is still simple when it is rounded to a grid of 2^36 places or more along it: then there is room
+///          between its sides, and it stays simple when it is moved, turned and scaled with rounding
+bool is_roomy(const std::vector<Index>& loop, const std::vector<Plane_point>& at);
+
+/// \ingroup PkgMeridianParameterization
 /// \param points some points
 /// \returns the direction of the longer side of the rectangle of least area around them, of length 1
 ///          (CGAL's rotating calipers; \cite toussaint1983)

@@ -6,8 +6,7 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/base/list_elements.h>
 #include <meridian/base/vectors.h>
-#include <meridian/map/pack_charts.h>
-#include <meridian/map/planar_map.h>
+#include <meridian/map/Parameterization.h>
 #include <meridian/mesh/internal/run_options.h>
 #include <meridian/mesh/internal/write_texture.h>
 #include <meridian/mesh/make_triangle_surface.h>
@@ -15,7 +14,11 @@
 #include <meridian/result/recount.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/pack_unwrappings.h>
 #include <meridian/unwrap/unwrap_surface.h>
+
+#include <utility>
+#include <vector>
 
 namespace meridian {
 
@@ -35,7 +38,7 @@ namespace meridian {
  * \param uv receives, for each halfedge of a face, the coordinates of its target in that face
  * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are
  *   numbered in the order of `vertices(tm)`), `vertex_point_map`, `sparse_linear_solver`, `visitor`
- * \returns the cut and its map, recounted
+ * \returns the cut and its map, packed, recounted
  * \throws Invalid_input_error if the mesh is not connected, or too coarse for a cut of edges; Solver_error if no map
  *   without flipped faces is found; Cancelled
  * \par Complexity
@@ -57,17 +60,17 @@ Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
   options.cut.refine_where_needed = false;
   options.image_size = 0;
   Unwrapping u = unwrap_surface(root, options);
-  const Verification recount = verify_cut(root, u.cut);
+  const Verification recount = u.charts > 1 ? verify_charts(root, u.cut) : verify_cut(root, u.cut);
   if (!recount) { throw Internal_error("unwrap: the recount found " + recount.failures.front()); }
-  std::vector<Chart> charts{{&u.disc.triangles, u.map.at, 1}};
-  pack_charts(charts);
-  const auto flipped = find_flipped_faces(u.disc.triangles, charts.front().at);
-  if (!flipped.empty())
+  std::vector<Unwrapping> all{std::move(u)};
+  pack_unwrappings(all, {1.});
+  const Parameterization& map = all.front().map;
+  if (!map.flipped.empty())
   {
-    throw Solver_error(internal::list_elements("faces are turned over or have no area in the plane", flipped));
+    throw Solver_error(internal::list_elements("faces are turned over or have no area in the plane", map.flipped));
   }
-  internal::write_texture(tm, u.disc.triangles, charts.front().at, uv);
-  return u;
+  internal::write_texture(tm, all.front().disc.triangles, map.at, uv);
+  return std::move(all.front());
 }
 
 } // namespace meridian

@@ -19,18 +19,22 @@ namespace meridian {
  * What `verify_cut()` checks of the mesh whose vertices are the texture's; further, that
  * - no face is turned over or without area in the plane: by the exact sign of its area;
  * - all coordinates lie in the unit square;
- * - the bounding rectangles of different components do not overlap.
+ * - no two sides on borders of charts meet, other than at a vertex that they share, and no chart lies inside another:
+ *   by exact signs. With the signs of the faces, the layout is then one-to-one;
+ * - if a gap is asked for, no two charts are nearer, compared exactly.
  *
  * \param input the input as it was read
  * \param result the result as it was read, a vertex for each texture coordinate
  * \param texture the coordinates of each vertex of `result`
+ * \param gap how far apart charts are, at least
  *
  * \returns the counts and the failures
  * \par Complexity
- * \f$ O(n \log d) \f$ for the largest degree \f$ d \f$, and the square of the number of components
+ * \f$ O(n \log d) \f$ for the largest degree \f$ d \f$, and \f$ O(b \log^2 b + k) \f$ for `b` sides on borders, of
+ * which `k` pairs are near (\cite zomorodian2002)
  */
 Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result,
-                               const std::vector<Plane_point>& texture);
+                               const std::vector<Plane_point>& texture, double gap = 0);
 
 } // namespace meridian
 

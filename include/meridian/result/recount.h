@@ -40,6 +40,12 @@ Result_mesh result_of(const Refined_surface& s, const std::vector<Origin>& origi
  */
 Verification verify_cut(const Triangle_surface& root, const Cut& cut);
 
+/// \ingroup PkgMeridianResults
+/// \returns the same for a cut that leaves several discs
+/// \param root the surface that was cut
+/// \param cut its cut
+Verification verify_charts(const Triangle_surface& root, const Cut& cut);
+
 /*!
  * \ingroup PkgMeridianResults
  *

@@ -23,6 +23,9 @@ namespace meridian {
 /// \ingroup PkgMeridianParameterization
 /// the L2 stretch that cuts are extended for, if nothing is asked for.
 constexpr double default_max_stretch = 1.1;
+/// \ingroup PkgMeridianParameterization
+/// the same where charts are divided until it is reached.
+constexpr double default_max_stretch_of_charts = 1.02;
 
 /// \ingroup PkgMeridianParameterization
 /// what one may choose about an unwrapping.
@@ -39,6 +42,9 @@ struct Unwrap_options
   /// if `stretch_weight` is not 0
   std::optional<double> max_stretch;
   int extensions = 1000; ///< vertices that the cut is extended to, at most
+  /// how many charts the surface is divided into; 0: as few as the stretch that is wanted needs, by itself
+  /// `default_max_stretch_of_charts`
+  int charts = 1;
   /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
   int image_size = 0;
 };
@@ -61,13 +67,15 @@ struct Unwrap_step
 struct Unwrapping
 {
   Cut cut;                             ///< the cut
-  Triangle_surface disc;               ///< the cut surface, taken apart
+  Triangle_surface disc;               ///< the cut surface, taken apart: a disc, or several
   Parameterization map;                ///< of `disc`
   Square_border border;                ///< with `Unwrap_options::image_size`
   std::vector<Unwrap_step> members;    ///< of the family
   std::vector<Unwrap_step> variations; ///< of the links
   std::vector<Unwrap_step> extensions; ///< of the cut
   std::size_t extended = 0;            ///< vertices that the cut was extended to
+  std::size_t charts = 1;              ///< connected pieces of `disc`, each of them a disc, beside each other in `map`
+  std::vector<Index> chart_of;         ///< the chart of each face; empty if there is one
 };
 
 } // namespace meridian

@@ -4,6 +4,7 @@
 
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/internal/Chart_divider.h>
 #include <meridian/unwrap/internal/Unwrapper.h>
 
 namespace meridian {
@@ -29,7 +30,7 @@ namespace meridian {
  */
 inline Unwrapping unwrap_surface(const Triangle_surface& root, const Unwrap_options& options = Unwrap_options())
 {
-  return internal::Unwrapper(root, options).run();
+  return options.charts == 1 ? internal::Unwrapper(root, options).run() : internal::Chart_divider(root, options).run();
 }
 
 } // namespace meridian

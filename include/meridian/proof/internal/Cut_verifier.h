@@ -16,7 +16,10 @@ public:
   Verification run();
 
 private:
-  void check_discs();
+  // Counts what each component became: one disc, unless there are charts.
+  void count_discs();
+  // Each chart is one disc.
+  void check_charts();
 };
 
 } // namespace verification

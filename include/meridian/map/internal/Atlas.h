@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_MAP_INTERNAL_ATLAS_H
+#define MERIDIAN_MAP_INTERNAL_ATLAS_H
+
+#include <meridian/base/vectors.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace meridian {
+namespace internal {
+
+// The cells of a grid that a chart touches, row by row from below. Its lowest and leftmost point are at 0.
+struct Chart_cells
+{
+  // Cells from `begin` to before `end`.
+  struct Run
+  {
+    int row, begin, end;
+  };
+  int width = 0, height = 0;
+  std::vector<Run> runs; // by rows
+};
+
+// The cells that triangles touch. `at`: the points, in cells, none below 0.
+Chart_cells cells_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at);
+
+// The cells of a square that are taken, or nearer to a taken one than is allowed.
+class Atlas
+{
+public:
+  // `gap`: how many cells stay empty between charts.
+  Atlas(int size, int gap);
+
+  struct Place
+  {
+    int x, y;
+    int extent; // of the square from 0 that holds the chart and all before
+    // Which of two is better: the smaller square, then nearer to its corner.
+    bool is_better_than(const Place& p, const Chart_cells& own, const Chart_cells& other) const;
+  };
+
+  // The best place for a chart, or nothing if none is better than `best`, which is for `best_cells`.
+  std::optional<Place> find_place(const Chart_cells& cells, const std::optional<Place>& best,
+                                  const Chart_cells& best_cells) const;
+  void take(const Chart_cells& cells, const Place& place);
+  int extent() const { return m_extent; }
+
+private:
+  using Word = std::uint64_t;
+  static constexpr int bits = 64;
+
+  // The first cell of a row where a chart fits whose lowest row is there, or -1.
+  int first_free(const Chart_cells& cells, int y) const;
+  Word* row(int level, int y) { return &m_taken[(static_cast<std::size_t>(level) * m_rows + y) * m_words]; }
+  const Word* row(int level, int y) const { return &m_taken[(static_cast<std::size_t>(level) * m_rows + y) * m_words]; }
+  // The word whose first bit is that of cell `x`.
+  Word word_at(int level, int y, int x) const;
+  void update_levels(int y);
+
+  int m_size, m_gap, m_words, m_levels, m_extent = 0;
+  std::size_t m_rows;
+  std::vector<Word> m_taken; // of level k: whether one of 2^k cells from here on is taken
+};
+
+// The cells of a coarser grid, `factor` times as large, that a chart at some place touches, or a margin around it.
+Chart_cells coarsened(const Chart_cells& cells, const Atlas::Place& place, int margin, int factor);
+
+} // namespace internal
+} // namespace meridian
+
+#endif // MERIDIAN_MAP_INTERNAL_ATLAS_H

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_PROOF_INTERNAL_VERIFY_LAYOUT_H
+#define MERIDIAN_PROOF_INTERNAL_VERIFY_LAYOUT_H
+
+#include <meridian/base/Result_mesh.h>
+#include <meridian/base/vectors.h>
+#include <meridian/proof/internal/verify_counts.h>
+
+#include <array>
+#include <vector>
+
+namespace meridian {
+namespace verification {
+
+// Counts what is wrong with borders in the plane, by exact signs. The pieces that faces are joined to are discs whose
+// faces are all counterclockwise; so the layout is one-to-one if no two borders meet and no piece lies inside another.
+class Layout_verifier
+{
+public:
+  Layout_verifier(const Result_mesh& result, const std::vector<Plane_point>& texture);
+
+  // Faces whose side on the border meets another than at a vertex that both have.
+  std::vector<Id> find_meeting() const;
+  // Faces, one of each piece that lies inside another; only counted right if no borders meet.
+  std::vector<Id> find_inside() const;
+  // Faces with a side on the border that is nearer than a distance to that of another piece.
+  std::vector<Id> find_near(double distance) const;
+
+private:
+  struct Box;
+  std::vector<Box> boxes(double margin) const;
+
+  const Plane_point& at(Id side) const { return m_texture[m_result.faces[side / 3][side % 3]]; }
+  Id vertex(Id side) const { return m_result.faces[side / 3][side % 3]; }
+  bool meet(Id a, Id b) const;
+  bool are_nearer(Id a, Id b, double distance) const;
+
+  const Result_mesh& m_result;
+  const std::vector<Plane_point>& m_texture;
+  std::vector<Id> m_border; // sides of faces, one an edge
+  std::vector<Id> m_piece;  // of each face, its first face
+};
+
+} // namespace verification
+} // namespace meridian
+
+#endif // MERIDIAN_PROOF_INTERNAL_VERIFY_LAYOUT_H

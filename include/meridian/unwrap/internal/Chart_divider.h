@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_UNWRAP_INTERNAL_CHART_DIVIDER_H
+#define MERIDIAN_UNWRAP_INTERNAL_CHART_DIVIDER_H
+
+#include <meridian/base/vectors.h>
+#include <meridian/map/Parameterization.h>
+#include <meridian/surface/Surface_curve.h>
+#include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/pieces.h>
+#include <meridian/unwrap/Unwrapping.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace meridian {
+namespace internal {
+
+// Cuts a surface and divides it into charts. What a chart will look like is known from unfolding it, which is much
+// cheaper than a map: what it stretches by itself calls for a longer cut, where it overlaps itself it is divided.
+class Chart_divider
+{
+public:
+  Chart_divider(const Triangle_surface& root, const Unwrap_options& options);
+
+  Unwrapping run();
+
+private:
+  struct Chart
+  {
+    Surface_piece piece; // of the opened surface
+    double area = 0;
+    std::vector<std::array<Index, 2>> apart = {}; // faces that overlap where it is unfolded
+    double overlap = 0;                           // the part of it that does
+    double excess = 0;                            // the square of its L2 stretch less 1, as it is unfolded or mapped
+    std::vector<Plane_point> unfolded = {};
+    Parameterization map = {}; // once it has one
+    bool is_whole = false;     // no arc divides it
+  };
+
+  // Takes the surface apart. Charts that are as they were keep what is known of them.
+  void update_charts();
+  void unfold(Chart& chart) const;
+  // The square of the L2 stretch of all charts less 1.
+  double excess() const;
+  bool is_automatic() const { return m_options.charts == 0; }
+
+  // Extends the cut in all charts, as far as unfolding them says that it should be. Returns whether that paid.
+  bool extend();
+  // Divides charts that overlap themselves, or the largest until there are as many as were asked for.
+  void divide();
+  void map_charts();
+  // Divides charts that stretch most, and maps what they became, until the stretch is as small as is wanted.
+  void divide_further();
+
+  // Divides charts. Returns whether one of them could be.
+  bool divide(const std::vector<std::size_t>& which);
+  // Charts that are divided next, the most needful first.
+  std::vector<std::size_t> most_needful() const;
+  // Charts with the most excess, together at least `enough`, or all; `sum` receives what they have, as a part of all.
+  std::vector<std::size_t> most_stretched(double enough, double& sum) const;
+  // A curve on a chart, on the whole surface.
+  Surface_curve carry_over(const Chart& chart, Surface_curve curve) const;
+
+  // Puts the maps of all charts on the fields of a chessboard, at one scale.
+  void join_maps();
+  void note(const std::string& name);
+  void check_cut(const std::string& name) const;
+
+  const Triangle_surface& m_root;
+  Unwrap_options m_options;
+  const double m_wanted; // the square of the L2 stretch less 1
+  Unwrapping m_result;
+  std::vector<Chart> m_charts;
+};
+
+} // namespace internal
+} // namespace meridian
+
+#endif // MERIDIAN_UNWRAP_INTERNAL_CHART_DIVIDER_H

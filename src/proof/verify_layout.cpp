@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/proof/internal/verify_layout.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace meridian {
+
+namespace verification {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+
+template <class K> typename K::Point_2 point(const Plane_point& p) { return typename K::Point_2(p[0], p[1]); }
+
+} // namespace
+
+// What a side covers, or a ray from a vertex; `id` is the side.
+struct Layout_verifier::Box : CGAL::Box_intersection_d::Box_d<double, 2, CGAL::Box_intersection_d::ID_EXPLICIT>
+{
+  Box(Id of, Plane_point low, Plane_point high)
+    : CGAL::Box_intersection_d::Box_d<double, 2, CGAL::Box_intersection_d::ID_EXPLICIT>(low.data(), high.data()),
+      side(of)
+  {}
+  Id side;
+};
+
+Layout_verifier::Layout_verifier(const Result_mesh& result, const std::vector<Plane_point>& texture)
+  : m_result(result), m_texture(texture)
+{
+  const Id faces = static_cast<Id>(result.faces.size());
+  Union_find pieces(result.faces.size());
+  for_each_edge(
+    3 * faces, static_cast<Id>(result.points.size()),
+    [&](Id s) { return std::make_pair(vertex(s), vertex(next_side(s))); },
+    [&](const auto first, const auto last) {
+      if (last - first == 1) { m_border.push_back(*first); }
+      else { pieces.join(*first / 3, *(first + 1) / 3); }
+    });
+  for (Id f = 0; f < faces; ++f) { m_piece.push_back(pieces.find(f)); }
+}
+
+std::vector<Layout_verifier::Box> Layout_verifier::boxes(double margin) const
+{
+  std::vector<Box> all;
+  for (Id s : m_border)
+  {
+    const Plane_point &a = at(s), &b = at(next_side(s));
+    all.emplace_back(s, Plane_point{std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin},
+                     Plane_point{std::max(a[0], b[0]) + margin, std::max(a[1], b[1]) + margin});
+  }
+  return all;
+}
+
+bool Layout_verifier::meet(Id a, Id b) const
+{
+  const auto a0 = point<Kernel>(at(a)), a1 = point<Kernel>(at(next_side(a))), b0 = point<Kernel>(at(b)),
+             b1 = point<Kernel>(at(next_side(b)));
+  // two sides with a vertex in common may lie on each other
+  const auto fold = [](const auto& common, const auto& x, const auto& y) {
+    return CGAL::orientation(common, x, y) == CGAL::COLLINEAR
+           && !CGAL::collinear_are_strictly_ordered_along_line(x, common, y);
+  };
+  if (vertex(a) == vertex(next_side(b))) { return fold(a0, a1, b0); }
+  if (vertex(b) == vertex(next_side(a))) { return fold(b0, b1, a0); }
+  return CGAL::do_intersect(Kernel::Segment_2(a0, a1), Kernel::Segment_2(b0, b1));
+}
+
+std::vector<Id> Layout_verifier::find_meeting() const
+{
+  std::vector<Box> all = boxes(0);
+  std::vector<Id> meeting;
+  CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box& a, const Box& b) {
+    if (meet(a.side, b.side)) { meeting.insert(meeting.end(), {a.side / 3, b.side / 3}); }
+  });
+  return meeting;
+}
+
+std::vector<Id> Layout_verifier::find_inside() const
+{
+  std::vector<Box> all = boxes(0), rays; // to the right, one from each piece
+  std::vector<char> has_ray(m_piece.size(), 0);
+  for (Id s : m_border)
+  {
+    if (std::exchange(has_ray[m_piece[s / 3]], 1)) { continue; }
+    rays.emplace_back(s, at(s), Plane_point{2, at(s)[1]});
+  }
+  std::vector<int> around(m_piece.size(), 0); // how often borders of other pieces go round the one of a first face
+  CGAL::box_intersection_d(rays.begin(), rays.end(), all.begin(), all.end(), [&](const Box& ray, const Box& box) {
+    const Id piece = m_piece[ray.side / 3];
+    if (piece == m_piece[box.side / 3]) { return; }
+    const Plane_point &p = at(ray.side), &a = at(box.side), &b = at(next_side(box.side));
+    const bool goes_up = a[1] <= p[1] && p[1] < b[1], goes_down = b[1] <= p[1] && p[1] < a[1];
+    if (!goes_up && !goes_down) { return; }
+    const auto side = CGAL::orientation(point<Kernel>(a), point<Kernel>(b), point<Kernel>(p));
+    if (side == (goes_up ? CGAL::LEFT_TURN : CGAL::RIGHT_TURN)) { around[piece] += goes_up ? 1 : -1; }
+  });
+  std::vector<Id> inside;
+  for (std::size_t f = 0; f < around.size(); ++f)
+  {
+    if (around[f] != 0) { inside.push_back(static_cast<Id>(f)); }
+  }
+  return inside;
+}
+
+bool Layout_verifier::are_nearer(Id a, Id b, double distance) const
+{
+  const auto squared = [&](auto kernel) {
+    using K = decltype(kernel);
+    return CGAL::squared_distance(typename K::Segment_2(point<K>(at(a)), point<K>(at(next_side(a)))),
+                                  typename K::Segment_2(point<K>(at(b)), point<K>(at(next_side(b)))));
+  };
+  constexpr double rounding = 1e-6;
+  const double about = squared(Kernel()), bound = distance * distance;
+  if (about < (1 - rounding) * bound) { return true; }
+  if (about > (1 + rounding) * bound) { return false; }
+  const Exact_kernel::FT exact(distance);
+  return squared(Exact_kernel()) < exact * exact;
+}
+
+std::vector<Id> Layout_verifier::find_near(double distance) const
+{
+  std::vector<Box> all = boxes(distance / 2);
+  std::vector<Id> near;
+  CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box& a, const Box& b) {
+    if (m_piece[a.side / 3] != m_piece[b.side / 3] && are_nearer(a.side, b.side, distance))
+    {
+      near.insert(near.end(), {a.side / 3, b.side / 3});
+    }
+  });
+  return near;
+}
+
+} // namespace verification
+
+} // namespace meridian

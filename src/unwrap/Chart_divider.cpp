@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <meridian/unwrap/internal/Chart_divider.h>
+
+#include <meridian/base/Stage_runner.h>
+#include <meridian/base/Verification.h>
+#include <meridian/base/exceptions.h>
+#include <meridian/cut/cut_to_disc.h>
+#include <meridian/cut/find_arc.h>
+#include <meridian/cut/open_cut.h>
+#include <meridian/map/find_overlaps.h>
+#include <meridian/map/is_one_to_one.h>
+#include <meridian/map/parameterize_disc.h>
+#include <meridian/map/planar_map.h>
+#include <meridian/map/unfold_disc.h>
+#include <meridian/result/recount.h>
+#include <meridian/surface/insert_curves.h>
+#include <meridian/surface/measures.h>
+#include <meridian/unwrap/extend_cut.h>
+#include <meridian/unwrap/plan_extensions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace meridian {
+
+namespace internal {
+
+namespace {
+
+// Overlap that a map finds its way out of, as a part of the area.
+constexpr double harmless_overlap = 0.02;
+
+double wanted_excess(const Unwrap_options& options)
+{
+  constexpr double fair_stretch = 2;
+  const double by_itself = options.charts == 0 ? default_max_stretch_of_charts : default_max_stretch;
+  const double wanted = options.max_stretch.value_or(by_itself);
+  return wanted > 0 ? wanted * wanted - 1 : fair_stretch * fair_stretch - 1;
+}
+
+// The mean square of the L2 stretch of faces less 1, where none counts for more than a face that is badly stretched:
+// some may be turned over.
+double bounded_excess(const Triangle_surface& disc, const std::vector<Plane_point>& at)
+{
+  constexpr double badly = 1.5;
+  const auto faces = measure_faces(disc.points, disc.triangles, at);
+  double sum = 0, whole = 0;
+  for (Index f = 0; f < disc.number_of_faces(); ++f)
+  {
+    const auto& t = disc.triangles[f];
+    const double area = norm(cross(disc.points[t[1]] - disc.points[t[0]], disc.points[t[2]] - disc.points[t[0]])) / 2;
+    const double stretch = std::min(faces[f].stretch_l2, badly);
+    sum += area * (stretch * stretch - 1);
+    whole += area;
+  }
+  return whole > 0 ? sum / whole : 0;
+}
+
+// Whether a map can go on from here: it is one-to-one, and its border has room between its sides.
+bool is_good_start(const Triangle_surface& disc, const std::vector<Plane_point>& at)
+{
+  const auto loops = boundary_loops(disc);
+  std::vector<Index> border;
+  for (Index h : loops.front()) { border.push_back(disc.source(h)); }
+  return is_roomy(border, at) && is_one_to_one(disc, at);
+}
+
+} // namespace
+
+Chart_divider::Chart_divider(const Triangle_surface& root, const Unwrap_options& options)
+  : m_root(root), m_options(options), m_wanted(wanted_excess(options))
+{
+  const auto forbid = [](bool is_wrong, const char* message) {
+    if (is_wrong) { throw Invalid_input_error(message); }
+  };
+  forbid(options.charts < 0,
+         "a surface is divided into one chart or more, or, if 0 is asked for, as many as are needed");
+  forbid(options.image_size > 0, "a geometry image is one chart; charts = 1");
+  forbid(options.family != 1 || options.stretch_weight > 0,
+         "cuts are compared, and links varied, for one chart; charts = 1");
+  forbid(!options.map.polygon.empty(), "a polygon for the border is for one chart; charts = 1");
+  if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
+}
+
+Unwrapping Chart_divider::run()
+{
+  m_result.cut = cut_to_disc(m_root, m_options.cut);
+  Stage_times seconds;
+  const Stage_runner run{m_options.cut.observer, seconds};
+  run(Stage::PARAMETERIZE, [&] {
+    update_charts();
+    do {
+      divide();
+    } while (extend());
+    map_charts();
+    note("divided into " + std::to_string(m_charts.size()) + " charts");
+    divide_further();
+    join_maps();
+  });
+  m_result.cut.seconds.insert(m_result.cut.seconds.end(), seconds.begin(), seconds.end());
+  check_cut("into charts");
+  return std::move(m_result);
+}
+
+void Chart_divider::update_charts()
+{
+  m_result.disc = surface_of(m_result.cut.surface, m_result.cut.opened);
+  std::map<Index, Chart> known; // by the first face
+  for (Chart& c : m_charts)
+  {
+    const Index first = c.piece.faces.front();
+    known.emplace(first, std::move(c));
+  }
+  m_charts.clear();
+  for (Surface_piece& piece : pieces_of(m_result.disc))
+  {
+    const auto before = known.find(piece.faces.front());
+    // the same faces have the same vertices, in the same order
+    const bool is_known = before != known.end() && before->second.piece.faces == piece.faces
+                          && before->second.piece.surface.triangles == piece.surface.triangles;
+    if (is_known)
+    {
+      m_charts.push_back(std::move(before->second));
+      m_charts.back().piece = std::move(piece);
+      continue;
+    }
+    m_charts.emplace_back();
+    m_charts.back().piece = std::move(piece);
+    m_charts.back().area = area(m_charts.back().piece.surface);
+    unfold(m_charts.back());
+  }
+}
+
+void Chart_divider::unfold(Chart& chart) const
+{
+  const Triangle_surface& disc = chart.piece.surface;
+  try
+  {
+    chart.unfolded = unfold_disc(disc, m_options.map.make_solver);
+  }
+  catch (const Solver_error&)
+  {
+    return; // then nothing is known before it is mapped
+  }
+  Overlaps overlaps = find_overlaps(disc, chart.unfolded, std::min(16384., 8. * disc.number_of_faces()));
+  chart.apart = std::move(overlaps.faces);
+  chart.overlap = overlaps.part;
+  chart.excess = bounded_excess(disc, chart.unfolded);
+}
+
+double Chart_divider::excess() const
+{
+  double sum = 0, whole = 0;
+  for (const Chart& c : m_charts)
+  {
+    sum += c.area * c.excess;
+    whole += c.area;
+  }
+  return whole > 0 ? sum / whole : 0;
+}
+
+bool Chart_divider::extend()
+{
+  constexpr double enough = 1.05; // times what is wanted: a map stretches a little less than what is unfolded
+  const double now = excess();
+  if (!(now > enough * m_wanted)) { return false; }
+  constexpr double farthest = 0.1; // at once
+  const auto goal = [&](double expected) {
+    return std::sqrt(1 + (expected * expected - 1) * std::max(m_wanted / now, farthest));
+  };
+  const Extension_plan plan =
+    plan_extensions(m_result.disc, goal, m_options.extensions - m_result.extended, m_options.cut.solvers.laplace);
+  if (plan.vertices.empty()) { return false; }
+  Cut before = m_result.cut;
+  extend_cut(m_root, m_result.cut, plan.vertices, m_options.cut.on_edges);
+  update_charts();
+  if (now - excess() < (now - m_wanted) / 3) // it does not pay
+  {
+    m_result.cut = std::move(before);
+    update_charts();
+    return false;
+  }
+  m_result.extended += plan.vertices.size();
+  return true;
+}
+
+std::vector<std::size_t> Chart_divider::most_needful() const
+{
+  std::vector<std::size_t> which;
+  for (std::size_t i = 0; i < m_charts.size(); ++i)
+  {
+    if (!m_charts[i].is_whole && (!is_automatic() || m_charts[i].overlap > harmless_overlap)) { which.push_back(i); }
+  }
+  if (is_automatic()) { return which; }
+  const auto need = [&](std::size_t i) { return m_charts[i].area * (0.1 + m_charts[i].overlap + m_charts[i].excess); };
+  std::stable_sort(which.begin(), which.end(), [&](std::size_t a, std::size_t b) { return need(a) > need(b); });
+  const std::size_t missing = static_cast<std::size_t>(m_options.charts) - m_charts.size();
+  // all at once would be of one size, whatever they need
+  which.resize(std::min({which.size(), missing, std::max<std::size_t>(m_charts.size() / 4, 1)}));
+  return which;
+}
+
+void Chart_divider::divide()
+{
+  while (is_automatic() || m_charts.size() < static_cast<std::size_t>(m_options.charts))
+  {
+    if (!divide(most_needful())) { return; }
+  }
+}
+
+bool Chart_divider::divide(const std::vector<std::size_t>& which)
+{
+  std::vector<Surface_curve> arcs;
+  for (std::size_t i : which)
+  {
+    Chart& chart = m_charts[i];
+    Surface_curve arc = find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges);
+    chart.is_whole = arc.points.empty();
+    if (!chart.is_whole) { arcs.push_back(carry_over(chart, std::move(arc))); }
+  }
+  if (arcs.empty()) { return false; }
+  Insertion done = insert_curves(m_root, m_result.cut.surface, arcs);
+  add_curves(m_result.cut, Curve_kind::ARC, std::move(done.vertices));
+  open_cut(m_result.cut);
+  update_charts();
+  return true;
+}
+
+Surface_curve Chart_divider::carry_over(const Chart& chart, Surface_curve curve) const
+{
+  const Index n = m_result.cut.surface.number_of_vertices();
+  for (Curve_point& p : curve.points)
+  {
+    if (p.is_vertex())
+    {
+      const Index v = chart.piece.vertices[p.vertex];
+      p.vertex = v < n ? v : m_result.cut.opened.copy_of[v - n];
+    }
+    else { p.halfedge = 3 * chart.piece.faces[p.halfedge / 3] + p.halfedge % 3; }
+  }
+  return curve;
+}
+
+void Chart_divider::map_charts()
+{
+  const bool is_free =
+    m_options.map.method == Map_method::SYMMETRIC_DIRICHLET && m_options.map.border == Map_border::FREE;
+  for (Chart& chart : m_charts)
+  {
+    if (!chart.map.at.empty()) { continue; }
+    const Triangle_surface& disc = chart.piece.surface;
+    if (is_free && !chart.unfolded.empty() && is_good_start(disc, chart.unfolded))
+    {
+      chart.map = improve_map(disc, chart.unfolded, m_options.map);
+    }
+    if (!chart.map.is_one_to_one) { chart.map = parameterize_disc(disc, m_options.map); }
+    chart.unfolded.clear();
+    const double stretch = chart.map.distortion.stretch_l2;
+    chart.excess = stretch * stretch - 1;
+  }
+}
+
+void Chart_divider::divide_further()
+{
+  double part = 0.5; // of the excess of a chart that is lost when it is divided
+  while (is_automatic() && excess() > m_wanted)
+  {
+    const double before = excess();
+    double at_stake = 0;
+    const std::vector<std::size_t> which = most_stretched((before - m_wanted) / part, at_stake);
+    if (!divide(which)) { return; }
+    map_charts();
+    note("divided into " + std::to_string(m_charts.size()) + " charts");
+    if (before - excess() < 0.02 * (before - m_wanted)) { return; } // slivers may never be flat enough
+    part = std::clamp((before - excess()) / at_stake, 0.1, 0.5);
+  }
+}
+
+std::vector<std::size_t> Chart_divider::most_stretched(double enough, double& sum) const
+{
+  std::vector<std::size_t> which;
+  double whole = 0;
+  for (std::size_t i = 0; i < m_charts.size(); ++i)
+  {
+    whole += m_charts[i].area;
+    if (!m_charts[i].is_whole) { which.push_back(i); }
+  }
+  const auto share = [&](std::size_t i) { return m_charts[i].area * m_charts[i].excess / whole; };
+  std::stable_sort(which.begin(), which.end(), [&](std::size_t a, std::size_t b) { return share(a) > share(b); });
+  std::size_t count = 0;
+  for (sum = 0; count < which.size() && sum < enough; ++count) { sum += share(which[count]); }
+  which.resize(count);
+  return which;
+}
+
+void Chart_divider::join_maps()
+{
+  Parameterization& all = m_result.map;
+  all.at.assign(m_result.disc.points.size(), {0, 0});
+  all.is_one_to_one = true;
+  m_result.charts = m_charts.size();
+  m_result.chart_of.assign(m_result.disc.number_of_faces(), 0);
+  std::vector<double> scale;
+  for (const Chart& c : m_charts)
+  {
+    const double image = area_of(c.piece.surface.triangles, c.map.at);
+    scale.push_back(image > 0 && c.area > 0 ? std::sqrt(c.area / image) : 0);
+  }
+  const double largest = *std::max_element(scale.begin(), scale.end());
+  const std::size_t side = static_cast<std::size_t>(std::ceil(std::sqrt(m_charts.size()))); // of a chessboard
+  for (std::size_t i = 0; i < m_charts.size(); ++i)
+  {
+    const Chart& c = m_charts[i];
+    all.is_one_to_one = all.is_one_to_one && c.map.is_one_to_one;
+    if (all.attempts.size() < c.map.attempts.size()) // one that had to be mapped another way speaks for all
+    {
+      all.method = c.map.method;
+      all.border = c.map.border;
+      all.attempts = c.map.attempts;
+    }
+    for (Index f : c.piece.faces) { m_result.chart_of[f] = static_cast<Index>(i); }
+    const std::size_t row = i / side;
+    const Plane_point low{static_cast<double>(i % side), static_cast<double>(row)};
+    const double size = largest > 0 ? scale[i] / largest : 1, field = static_cast<double>(side);
+    for (std::size_t v = 0; v < c.piece.vertices.size(); ++v)
+    {
+      all.at[c.piece.vertices[v]] = (1 / field) * (low + size * c.map.at[v]);
+    }
+  }
+  const Triangle_surface& disc = m_result.disc;
+  all.flipped = find_flipped_faces(disc.triangles, all.at);
+  all.faces = measure_faces(disc.points, disc.triangles, all.at);
+  all.distortion = measure_distortion(disc.points, disc.triangles, all.at, all.faces);
+}
+
+void Chart_divider::note(const std::string& name)
+{
+  const auto flipped = std::accumulate(m_charts.begin(), m_charts.end(), std::size_t(0),
+                                       [](std::size_t sum, const Chart& c) { return sum + c.map.flipped.size(); });
+  m_result.extensions.push_back({name, m_result.cut.length, std::sqrt(1 + excess()), m_charts.front().map.method,
+                                 static_cast<Index>(flipped), true});
+}
+
+void Chart_divider::check_cut(const std::string& name) const
+{
+  const Verification recount = verify_charts(m_root, m_result.cut);
+  if (!recount)
+  {
+    throw Internal_error("unwrap_surface: the recount of a cut " + name + " found " + recount.failures.front());
+  }
+}
+
+} // namespace internal
+
+} // namespace meridian
