@@ -1,6 +1,6 @@
 // What texture coordinates are like: `meridian unwrap` with several options, as whole processes.
-// usage: measure_unwraps PROGRAM [S...] MESH..., where each S is an L2 stretch to ask for, besides the default and the
-// shortest seams, and "thorns" stands for a torus with two of them
+// usage: measure_unwraps PROGRAM [S...] MESH..., where each S is an L2 stretch to ask for, besides the default, charts
+// as they are needed and the shortest seams, and "thorns" stands for a torus with two of them
 //
 // Rows are separated by tabs, the first names the columns. Everything but counts of charts and of vertices reached is
 // measured on the file that was written. Each is recounted by `meridian verify`, and overlaps of faces are counted here
@@ -204,16 +204,17 @@ bool measure_mesh(const std::string& program, const fs::path& folder, const fs::
   const Textured textured = read(out);
   const Measures m = measure(textured);
   double length = 0, highest = 0;
-  int reached = 0;
+  int reached = 0, charts = 0;
   for (const auto& c : json["components"])
   {
     length += c["cut"]["length"].get<double>();
     reached += c["parameterization"]["extended_to"].get<int>();
+    charts += c["parameterization"]["charts"].get<int>();
     highest = std::max(highest, c["parameterization"]["stretch_l2"].get<double>());
   }
-  std::printf("%zu\t%zu\t%d\t%.2f\t%.4f\t%.4f\t%.3f\t%.2f\t%.3f\t%.2f\t%.2f\t%.0f\t%s", textured.faces.size(),
-              json["components"].size(), reached, length / std::sqrt(m.surface), m.l2, highest, m.dirichlet, m.angle,
-              m.area, m.filled, child.cost.seconds, child.cost.megabytes, child.status == 0 ? "yes" : "missed");
+  std::printf("%zu\t%d\t%d\t%.2f\t%.4f\t%.4f\t%.3f\t%.2f\t%.3f\t%.2f\t%.2f\t%.0f\t%s", textured.faces.size(), charts,
+              reached, length / std::sqrt(m.surface), m.l2, highest, m.dirichlet, m.angle, m.area, m.filled,
+              child.cost.seconds, child.cost.megabytes, child.status == 0 ? "yes" : "missed");
   const std::size_t overlaps = count_overlaps(textured);
   const bool is_verified = run_program({program, "verify", mesh, out, "--quiet"}).status == 0;
   if (overlaps > 0) { std::printf("\tWRONG: %zu overlaps", overlaps); }
@@ -238,7 +239,7 @@ int main(int argc, char** argv)
               "s\tMB\tverified\n");
   std::fflush(stdout);
   bool is_right = true;
-  std::vector<std::vector<std::string>> choices{{}, {"--shortest-seams"}};
+  std::vector<std::vector<std::string>> choices{{}, {"--charts", "auto"}, {"--shortest-seams"}};
   for (int i = 2; i < argc; ++i)
   {
     char* end = nullptr;

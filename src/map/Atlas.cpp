@@ -99,28 +99,44 @@ Atlas::Atlas(int size, int gap)
   m_taken.assign(static_cast<std::size_t>(m_levels) * m_rows * m_words, 0);
 }
 
-bool Atlas::Place::is_better_than(const Place& p, const Chart_cells& own, const Chart_cells& other) const
-{
-  if (extent != p.extent) { return extent < p.extent; }
-  return x + own.width + y + own.height < p.x + other.width + p.y + other.height;
-}
-
 std::optional<Atlas::Place> Atlas::find_place(const Chart_cells& cells, const std::optional<Place>& best,
                                               const Chart_cells& best_cells) const
 {
-  std::optional<Place> found = best;
-  bool is_found = false;
+  std::vector<Span> spans;
+  for (const auto& run : cells.runs)
+  {
+    int level = 0;
+    while ((2 << level) <= run.end - run.begin) { ++level; }
+    spans.push_back({run.row, run.begin, run.end, level});
+  }
+  // what is wide is in the way first
+  std::stable_sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.level > b.level; });
+  const int none = std::numeric_limits<int>::max();
+  int extent = none, sum = none; // of the best: the square, and how far its far corner is from the near one
+  if (best)
+  {
+    extent = best->extent;
+    sum = best->x + best_cells.width + best->y + best_cells.height;
+  }
+  std::optional<Place> found;
   for (int y = 0; y + cells.height <= m_size; ++y)
   {
-    if (found && std::max(m_extent, y + cells.height) > found->extent) { break; }
-    const int x = first_free(cells, y);
+    const int so_far = std::max(m_extent, y + cells.height);
+    if (so_far > extent) { break; }
+    int last = m_size - cells.width; // the last cell of the row that would be better
+    if (extent < none)
+    {
+      last = std::min(extent - cells.width, sum - 1 - cells.width - y - cells.height);
+      if (so_far < extent) { last = std::max(last, extent - 1 - cells.width); }
+      last = std::min(last, m_size - cells.width);
+    }
+    const int x = first_free(spans, y, last);
     if (x < 0) { continue; }
-    const Place place{x, y, std::max({m_extent, x + cells.width, y + cells.height})};
-    if (found && !place.is_better_than(*found, cells, is_found ? cells : best_cells)) { continue; }
-    found = place;
-    is_found = true;
+    found = Place{x, y, std::max(so_far, x + cells.width)};
+    extent = found->extent;
+    sum = x + cells.width + y + cells.height;
   }
-  return is_found ? found : std::nullopt;
+  return found;
 }
 
 Atlas::Word Atlas::word_at(int level, int y, int x) const
@@ -132,21 +148,18 @@ Atlas::Word Atlas::word_at(int level, int y, int x) const
   return r[word] >> shift | (word + 1 < m_words ? r[word + 1] << (bits - shift) : 0);
 }
 
-int Atlas::first_free(const Chart_cells& cells, int y) const
+int Atlas::first_free(const std::vector<Span>& spans, int y, int last) const
 {
-  for (int x = 0; x + cells.width <= m_size; x += bits)
+  for (int x = 0; x <= last; x += bits)
   {
     Word taken = 0;
-    for (const auto& run : cells.runs)
+    for (const Span& span : spans)
     {
-      const int length = run.end - run.begin;
-      int level = 0;
-      while ((2 << level) <= length) { ++level; }
-      taken |= word_at(level, y + run.row, x + run.begin);
-      taken |= word_at(level, y + run.row, x + run.end - (1 << level));
+      taken |= word_at(span.level, y + span.row, x + span.begin);
+      taken |= word_at(span.level, y + span.row, x + span.end - (1 << span.level));
       if (taken == ~Word(0)) { break; }
     }
-    for (int k = 0; k < bits && x + k + cells.width <= m_size; ++k)
+    for (int k = 0; k < bits && x + k <= last && taken != ~Word(0); ++k)
     {
       if ((taken >> k & 1) == 0) { return x + k; }
     }

@@ -30,8 +30,8 @@ namespace internal {
 
 namespace {
 
-// Overlap that a map finds its way out of, as a part of the area.
-constexpr double harmless_overlap = 0.02;
+// Overlap that a map finds its way out of, as a part of the area of a chart, and of all.
+constexpr double harmless_overlap = 0.02, least_overlap = 1e-5;
 
 double wanted_excess(const Unwrap_options& options)
 {
@@ -92,9 +92,12 @@ Unwrapping Chart_divider::run()
   const Stage_runner run{m_options.cut.observer, seconds};
   run(Stage::PARAMETERIZE, [&] {
     update_charts();
+    // limbs first: where much is stretched, faces overlap that will not
+    constexpr double much = 0.2;
+    while (excess() > much && extend(std::max(much, m_wanted))) {}
     do {
       divide();
-    } while (extend());
+    } while (extend(m_wanted));
     map_charts();
     note("divided into " + std::to_string(m_charts.size()) + " charts");
     divide_further();
@@ -162,14 +165,14 @@ double Chart_divider::excess() const
   return whole > 0 ? sum / whole : 0;
 }
 
-bool Chart_divider::extend()
+bool Chart_divider::extend(double wanted)
 {
   constexpr double enough = 1.05; // times what is wanted: a map stretches a little less than what is unfolded
   const double now = excess();
-  if (!(now > enough * m_wanted)) { return false; }
+  if (!(now > enough * wanted)) { return false; }
   constexpr double farthest = 0.1; // at once
   const auto goal = [&](double expected) {
-    return std::sqrt(1 + (expected * expected - 1) * std::max(m_wanted / now, farthest));
+    return std::sqrt(1 + (expected * expected - 1) * std::max(wanted / now, farthest));
   };
   const Extension_plan plan =
     plan_extensions(m_result.disc, goal, m_options.extensions - m_result.extended, m_options.cut.solvers.laplace);
@@ -177,7 +180,7 @@ bool Chart_divider::extend()
   Cut before = m_result.cut;
   extend_cut(m_root, m_result.cut, plan.vertices, m_options.cut.on_edges);
   update_charts();
-  if (now - excess() < (now - m_wanted) / 3) // it does not pay
+  if (now - excess() < (now - wanted) / 3) // it does not pay
   {
     m_result.cut = std::move(before);
     update_charts();
@@ -190,9 +193,13 @@ bool Chart_divider::extend()
 std::vector<std::size_t> Chart_divider::most_needful() const
 {
   std::vector<std::size_t> which;
+  const double whole =
+    std::accumulate(m_charts.begin(), m_charts.end(), 0., [](double sum, const Chart& c) { return sum + c.area; });
   for (std::size_t i = 0; i < m_charts.size(); ++i)
   {
-    if (!m_charts[i].is_whole && (!is_automatic() || m_charts[i].overlap > harmless_overlap)) { which.push_back(i); }
+    const Chart& c = m_charts[i];
+    const bool overlaps = c.overlap > harmless_overlap && c.overlap * c.area > least_overlap * whole;
+    if (!c.is_whole && (!is_automatic() || overlaps)) { which.push_back(i); }
   }
   if (is_automatic()) { return which; }
   const auto need = [&](std::size_t i) { return m_charts[i].area * (0.1 + m_charts[i].overlap + m_charts[i].excess); };

@@ -18,8 +18,8 @@ namespace meridian {
  *
  * The Voronoi diagram of the border's vertices is grown through the disc; where two of its cells touch, the shortest
  * ways back to their vertices make an arc that is locally shortest, and what lies on either side is known from the
- * areas of the cells. Of all these arcs the one is taken whose length is least for what it brings: parts alike in area, and
- * faces apart that should be. It is then made straight.
+ * areas of the cells. Of all these arcs the one is taken whose length is least for what it brings: parts alike in
+ * area, and faces apart that should be. It is then made straight.
  *
  * \param disc the surface
  * \param apart pairs of faces that should come apart; if there are none, only area counts

@@ -38,11 +38,10 @@ public:
   {
     int x, y;
     int extent; // of the square from 0 that holds the chart and all before
-    // Which of two is better: the smaller square, then nearer to its corner.
-    bool is_better_than(const Place& p, const Chart_cells& own, const Chart_cells& other) const;
   };
 
-  // The best place for a chart, or nothing if none is better than `best`, which is for `best_cells`.
+  // The best place for a chart: with the smallest square, and of these that nearest to its corner. Nothing if none is
+  // better than `best`, which is for `best_cells`.
   std::optional<Place> find_place(const Chart_cells& cells, const std::optional<Place>& best,
                                   const Chart_cells& best_cells) const;
   void take(const Chart_cells& cells, const Place& place);
@@ -52,8 +51,13 @@ private:
   using Word = std::uint64_t;
   static constexpr int bits = 64;
 
-  // The first cell of a row where a chart fits whose lowest row is there, or -1.
-  int first_free(const Chart_cells& cells, int y) const;
+  // A run of cells of a chart: two stretches of 2^level cells cover it.
+  struct Span
+  {
+    int row, begin, end, level;
+  };
+  // The first cell of a row, up to the last that counts, where a chart fits whose lowest row is there, or -1.
+  int first_free(const std::vector<Span>& spans, int y, int last) const;
   Word* row(int level, int y) { return &m_taken[(static_cast<std::size_t>(level) * m_rows + y) * m_words]; }
   const Word* row(int level, int y) const { return &m_taken[(static_cast<std::size_t>(level) * m_rows + y) * m_words]; }
   // The word whose first bit is that of cell `x`.

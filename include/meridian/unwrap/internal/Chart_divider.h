@@ -46,8 +46,9 @@ private:
   double excess() const;
   bool is_automatic() const { return m_options.charts == 0; }
 
-  // Extends the cut in all charts, as far as unfolding them says that it should be. Returns whether that paid.
-  bool extend();
+  // Extends the cut in all charts, as far as unfolding them says that it should be for some excess. Returns whether
+  // that paid.
+  bool extend(double wanted);
   // Divides charts that overlap themselves, or the largest until there are as many as were asked for.
   void divide();
   void map_charts();
