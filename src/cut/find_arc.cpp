@@ -209,13 +209,11 @@ public:
   void add(std::vector<Arc_candidate>& all, Index a, Index b, double length, Index h, bool along) const
   {
     if (a == b) { return; }
-    const double whole = m_area_before.back();
-    const double between = std::abs(m_area_before[b] - m_area_before[a]) / whole,
-                 smaller = std::min(between, 1 - between);
+    const double smaller = smaller_part(std::min(a, b), std::max(a, b));
     const double parted = m_pairs.is_empty() ? 1 : m_pairs.parted(std::min(a, b), std::max(a, b));
     if (!(smaller > 0) || !(parted > 0)) { return; }
     // to part what should be apart counts for more than a short way
-    all.push_back({length / (std::sqrt(smaller) * parted * parted), h, along});
+    all.push_back({length / (smaller * parted * parted), h, along});
   }
 
   static void sort(std::vector<Arc_candidate>& all)
@@ -226,6 +224,17 @@ public:
   }
 
 private:
+  // The area of the smaller part, as a part of all. Cells that the arc goes through itself are large at the tips of
+  // slits, and how they are divided is not known: they hardly count.
+  double smaller_part(Index a, Index b) const
+  {
+    constexpr double hardly = 1e-3;
+    const double whole = m_area_before.back(), with = m_area_before[b] - m_area_before[a],
+                 without = m_area_before[b] - m_area_before[a + 1],
+                 beyond = whole - m_area_before[b + 1] + m_area_before[a];
+    return (std::min(without, beyond) + hardly * std::min(with, whole - with)) / whole;
+  }
+
   const Pair_counts m_pairs;
   std::vector<double> m_area_before; // of the cells before each place
 };

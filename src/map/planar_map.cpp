@@ -84,4 +84,12 @@ Plane_point longer_side_of_smallest_rectangle(const std::vector<Plane_point>& po
   return norm(longest) > 0 ? (1 / norm(longest)) * longest : Plane_point{1, 0};
 }
 
+std::array<double, 2> sides_of_smallest_rectangle(const std::vector<Plane_point>& points)
+{
+  const Plane_point along = longer_side_of_smallest_rectangle(points);
+  Bounding_box<Plane_point> box({dot(points.front(), along), cross(along, points.front())});
+  for (const Plane_point& p : points) { box.add({dot(p, along), cross(along, p)}); }
+  return {box.high[0] - box.low[0], box.high[1] - box.low[1]};
+}
+
 } // namespace meridian

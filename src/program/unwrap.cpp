@@ -413,6 +413,7 @@ int run_unwrap(const Unwrap_arguments& arguments)
   {
     terminal.begin_component(i, components.size());
     options.push_back(unwrap_options(arguments, cuts[i]));
+    if (components.size() > 1) { options.back().filled = 0; } // they fill the square together
     unwrapped.push_back(unwrap_surface(components[i].surface, options.back()));
     found.push_back(std::move(unwrapped.back().cut));
   }

@@ -9,6 +9,7 @@
 #include <meridian/cut/open_cut.h>
 #include <meridian/map/find_overlaps.h>
 #include <meridian/map/is_one_to_one.h>
+#include <meridian/map/pack_charts.h>
 #include <meridian/map/parameterize_disc.h>
 #include <meridian/map/planar_map.h>
 #include <meridian/map/unfold_disc.h>
@@ -101,6 +102,7 @@ Unwrapping Chart_divider::run()
     map_charts();
     note("divided into " + std::to_string(m_charts.size()) + " charts");
     divide_further();
+    divide_wasteful();
     join_maps();
   });
   m_result.cut.seconds.insert(m_result.cut.seconds.end(), seconds.begin(), seconds.end());
@@ -224,9 +226,9 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   for (std::size_t i : which)
   {
     Chart& chart = m_charts[i];
-    Surface_curve arc = find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges);
-    chart.is_whole = arc.points.empty();
-    if (!chart.is_whole) { arcs.push_back(carry_over(chart, std::move(arc))); }
+    const Surface_curve arc = carry_over(chart, find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges));
+    chart.is_whole = arc.points.empty() || !has_room(arc);
+    if (!chart.is_whole) { arcs.push_back(arc); }
   }
   if (arcs.empty()) { return false; }
   Insertion done = insert_curves(m_root, m_result.cut.surface, arcs);
@@ -234,6 +236,23 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   open_cut(m_result.cut);
   update_charts();
   return true;
+}
+
+bool Chart_divider::has_room(const Surface_curve& arc) const
+{
+  const Refined_surface& s = m_result.cut.surface;
+  return std::all_of(arc.points.begin(), arc.points.end(), [&](const Curve_point& p) {
+    if (p.is_vertex()) { return true; }
+    const Origin at = origin_on(m_root, s, p.halfedge, p.t);
+    const Index face = s.face_of[s.face(p.halfedge)];
+    const Point place = barycentric_in(m_root, face, at);
+    const auto is_apart = [&](Index v) {
+      constexpr double room = 1e-8; // of a face: enough for a few points more to be told apart
+      const Point other = barycentric_in(m_root, face, s.origin(v));
+      return norm(place - other) > room;
+    };
+    return is_apart(s.source(p.halfedge)) && is_apart(s.target(p.halfedge));
+  });
 }
 
 Surface_curve Chart_divider::carry_over(const Chart& chart, Surface_curve curve) const
@@ -265,6 +284,7 @@ void Chart_divider::map_charts()
     }
     if (!chart.map.is_one_to_one) { chart.map = parameterize_disc(disc, m_options.map); }
     chart.unfolded.clear();
+    if (chart.overlap <= harmless_overlap) { chart.apart.clear(); } // what is short and even is better then
     const double stretch = chart.map.distortion.stretch_l2;
     chart.excess = stretch * stretch - 1;
   }
@@ -272,8 +292,10 @@ void Chart_divider::map_charts()
 
 void Chart_divider::divide_further()
 {
+  constexpr int rounds = 12;
+  constexpr double least_gain = 0.05;
   double part = 0.5; // of the excess of a chart that is lost when it is divided
-  while (is_automatic() && excess() > m_wanted)
+  for (int i = 0; i < rounds && is_automatic() && excess() > m_wanted; ++i)
   {
     const double before = excess();
     double at_stake = 0;
@@ -281,9 +303,64 @@ void Chart_divider::divide_further()
     if (!divide(which)) { return; }
     map_charts();
     note("divided into " + std::to_string(m_charts.size()) + " charts");
-    if (before - excess() < 0.02 * (before - m_wanted)) { return; } // slivers may never be flat enough
+    if (before - excess() < least_gain * (before - m_wanted)) { return; } // slivers may never be flat enough
     part = std::clamp((before - excess()) / at_stake, 0.1, 0.5);
   }
+}
+
+double Chart_divider::filled() const
+{
+  std::vector<meridian::Chart> packed;
+  for (const Chart& c : m_charts) { packed.push_back({&c.piece.surface.triangles, c.map.at, c.area}); }
+  return pack_charts(packed);
+}
+
+void Chart_divider::divide_wasteful()
+{
+  constexpr double longer = 1.25, worth = 0.08; // that seams may become; that e times as many charts must bring
+  constexpr int patience = 4;
+  constexpr std::size_t many = 100; // what is between so many is mostly padding
+  if (!is_automatic() || !(m_options.filled > 0)) { return; }
+  const double length = m_result.cut.length;
+  double best = m_charts.size() < many ? filled() : m_options.filled;
+  Cut best_cut = m_result.cut;
+  std::vector<Chart> best_charts = m_charts;
+  int in_vain = 0;
+  for (double now = best;
+       now < m_options.filled && in_vain < patience && m_charts.size() < many && divide(most_wasteful()); ++in_vain)
+  {
+    if (m_result.cut.length > longer * length) { break; }
+    map_charts();
+    now = filled();
+    const double more = static_cast<double>(m_charts.size()) / static_cast<double>(best_charts.size());
+    if (now - best < worth * std::log(more)) { continue; }
+    in_vain = -1;
+    best = now;
+    best_cut = m_result.cut;
+    best_charts = m_charts;
+  }
+  m_result.cut = std::move(best_cut);
+  m_charts = std::move(best_charts);
+  m_result.disc = surface_of(m_result.cut.surface, m_result.cut.opened);
+  note("divided into " + std::to_string(m_charts.size()) + " charts to fill the square");
+}
+
+std::vector<std::size_t> Chart_divider::most_wasteful() const
+{
+  std::vector<std::size_t> which;
+  std::vector<double> waste; // of each chart
+  for (std::size_t i = 0; i < m_charts.size(); ++i)
+  {
+    const Chart& c = m_charts[i];
+    const double image = area_of(c.piece.surface.triangles, c.map.at);
+    const auto [length, width] = sides_of_smallest_rectangle(c.map.at);
+    // a long chart takes more than its rectangle
+    waste.push_back(image > 0 ? c.area * (length * std::max(width, length / 4) / image - 1) : 0);
+    if (!c.is_whole) { which.push_back(i); }
+  }
+  std::stable_sort(which.begin(), which.end(), [&](std::size_t a, std::size_t b) { return waste[a] > waste[b]; });
+  which.resize(std::min(which.size(), std::max<std::size_t>(m_charts.size() / 4, 1)));
+  return which;
 }
 
 std::vector<std::size_t> Chart_divider::most_stretched(double enough, double& sum) const

@@ -43,6 +43,13 @@ bool is_roomy(const std::vector<Index>& loop, const std::vector<Plane_point>& at
 
 /// \ingroup PkgMeridianParameterization
 /// \param points some points
+/// \returns the sides of the rectangle of least area around them, the longer first
+/// \par Complexity
+/// \f$ O(n \log n) \f$
+std::array<double, 2> sides_of_smallest_rectangle(const std::vector<Plane_point>& points);
+
+/// \ingroup PkgMeridianParameterization
+/// \param points some points
 /// \returns the direction of the longer side of the rectangle of least area around them, of length 1
 ///          (CGAL's rotating calipers; \cite toussaint1983)
 /// \par Complexity

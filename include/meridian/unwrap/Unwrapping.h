@@ -45,6 +45,9 @@ struct Unwrap_options
   /// how many charts the surface is divided into; 0: as few as the stretch that is wanted needs, by itself
   /// `default_max_stretch_of_charts`
   int charts = 1;
+  /// with `charts` 0: charts are divided, too, until they fill so much of a square, if that makes seams no longer than
+  /// by a quarter
+  double filled = 0.6;
   /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
   int image_size = 0;
 };

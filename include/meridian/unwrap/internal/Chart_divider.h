@@ -55,12 +55,20 @@ private:
   // Divides charts that stretch most, and maps what they became, until the stretch is as small as is wanted.
   void divide_further();
 
+  // Divides charts that leave much of the square empty, until enough of it is filled.
+  void divide_wasteful();
+  std::vector<std::size_t> most_wasteful() const;
+  // The part of a square that they fill.
+  double filled() const;
+
   // Divides charts. Returns whether one of them could be.
   bool divide(const std::vector<std::size_t>& which);
   // Charts that are divided next, the most needful first.
   std::vector<std::size_t> most_needful() const;
   // Charts with the most excess, together at least `enough`, or all; `sum` receives what they have, as a part of all.
   std::vector<std::size_t> most_stretched(double enough, double& sum) const;
+  // Whether an arc's points are far enough from those that there are for doubles to tell them apart.
+  bool has_room(const Surface_curve& arc) const;
   // A curve on a chart, on the whole surface.
   Surface_curve carry_over(const Chart& chart, Surface_curve curve) const;
 
