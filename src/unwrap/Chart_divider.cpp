@@ -91,6 +91,7 @@ Unwrapping Chart_divider::run()
   m_result.cut = cut_to_disc(m_root, m_options.cut);
   Stage_times seconds;
   const Stage_runner run{m_options.cut.observer, seconds};
+  m_progress = [&](double done) { run.progress(Stage::PARAMETERIZE, done); };
   run(Stage::PARAMETERIZE, [&] {
     update_charts();
     // limbs first: where much is stretched, faces overlap that will not
@@ -105,6 +106,7 @@ Unwrapping Chart_divider::run()
     divide_wasteful();
     join_maps();
   });
+  m_progress = {};
   m_result.cut.seconds.insert(m_result.cut.seconds.end(), seconds.begin(), seconds.end());
   check_cut("into charts");
   return std::move(m_result);
@@ -136,6 +138,7 @@ void Chart_divider::update_charts()
     m_charts.back().piece = std::move(piece);
     m_charts.back().area = area(m_charts.back().piece.surface);
     unfold(m_charts.back());
+    m_progress(m_done); // for who wants to end the run
   }
 }
 
@@ -274,8 +277,11 @@ void Chart_divider::map_charts()
 {
   const bool is_free =
     m_options.map.method == Map_method::SYMMETRIC_DIRICHLET && m_options.map.border == Map_border::FREE;
+  double whole = 0, mapped = 0;
+  for (const Chart& chart : m_charts) { whole += chart.area; }
   for (Chart& chart : m_charts)
   {
+    mapped += chart.area;
     if (!chart.map.at.empty()) { continue; }
     const Triangle_surface& disc = chart.piece.surface;
     if (is_free && !chart.unfolded.empty() && is_good_start(disc, chart.unfolded))
@@ -287,6 +293,8 @@ void Chart_divider::map_charts()
     if (chart.overlap <= harmless_overlap) { chart.apart.clear(); } // what is short and even is better then
     const double stretch = chart.map.distortion.stretch_l2;
     chart.excess = stretch * stretch - 1;
+    if (whole > 0) { m_done = std::max(m_done, std::min(mapped / whole, 1.)); }
+    m_progress(m_done);
   }
 }
 

@@ -5,6 +5,7 @@
 #include "support/pipeline.h"
 #include "support/sample_surfaces.h"
 
+#include <meridian/base/Progress_observer.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
@@ -139,6 +140,41 @@ BOOST_AUTO_TEST_CASE(charts_do_not_depend_on_scale)
   BOOST_TEST(b.cut.length == 1024 * a.cut.length, boost::test_tools::tolerance(1e-9));
   BOOST_TEST((a.chart_of == b.chart_of));
   check(sample::renumbered(s, 4), divided(sample::renumbered(s, 4), 5));
+}
+
+namespace {
+
+// Ends a run when so many parts of it were told of.
+struct Impatient : Progress_observer
+{
+  int left;
+  double last = 0;
+  bool grows = true;
+  explicit Impatient(int told) : left(told) {}
+  void stage_progressed(Stage stage, double done) override
+  {
+    if (stage != Stage::PARAMETERIZE) { return; }
+    grows = grows && done >= last && done <= 1;
+    last = done;
+    --left;
+  }
+  bool go_further() override { return left > 0; }
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(dividing_can_be_stopped)
+{
+  Unwrap_options options;
+  options.charts = 0;
+  Impatient patient(1000000), impatient(5);
+  options.cut.observer = &patient;
+  pipeline::unwrap(lattice(3), options);
+  BOOST_TEST(patient.grows);
+  BOOST_TEST(patient.last == 1);
+  BOOST_TEST(patient.left < 1000000 - 5);
+  options.cut.observer = &impatient;
+  BOOST_CHECK_THROW(pipeline::unwrap(lattice(3), options), Cancelled);
 }
 
 BOOST_AUTO_TEST_CASE(what_is_for_one_chart_is_refused)

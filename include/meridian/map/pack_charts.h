@@ -31,11 +31,11 @@ struct Pack_options
  *
  * packs charts into the unit square by their outlines, all at one scale of area.
  *
- * Charts are taken by size, the largest first. Each is tried in several directions, large ones in many, at all places
- * of a grid of cells where it touches no cell that another chart or its padding touches, and so also inside of the bays
- * of others; the place is taken with which the square grows least (\cite levy2002 lets charts down onto a horizon instead,
- * which leaves bays empty). Then the square is scaled to the unit square. A chart is not turned if rounding would then
- * turn a face over.
+ * Charts are taken by size, the largest first. Each is tried in several directions, large ones in many, at all
+ * places of a grid of cells where it touches no cell that another chart or its padding touches, and so also inside
+ * of the bays of others; the place is taken with which the square grows least (\cite levy2002 lets charts down onto
+ * a horizon instead, which leaves bays empty). Then the square is scaled to the unit square. A chart is not turned
+ * if rounding would then turn a face over.
  *
  * \param charts the charts; their points are moved
  * \param options see there

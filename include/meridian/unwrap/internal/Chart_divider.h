@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_UNWRAP_INTERNAL_CHART_DIVIDER_H
 #define MERIDIAN_UNWRAP_INTERNAL_CHART_DIVIDER_H
 
+#include <meridian/base/Progress_observer.h>
 #include <meridian/base/vectors.h>
 #include <meridian/map/Parameterization.h>
 #include <meridian/surface/Surface_curve.h>
@@ -82,6 +83,8 @@ private:
   const double m_wanted; // the square of the L2 stretch less 1
   Unwrapping m_result;
   std::vector<Chart> m_charts;
+  Progress m_progress; // told how much is mapped
+  double m_done = 0;
 };
 
 } // namespace internal
