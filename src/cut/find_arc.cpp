@@ -261,7 +261,8 @@ Surface_curve straight_arc(const Triangle_surface& disc, const Face_cells& cells
     disc, sleeve, [&](Index h) { return disc.opposite[h] >= 0; }, [&](Index v) { return !disc.is_boundary_vertex(v); });
 }
 
-Surface_curve find_straight_arc(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart)
+Surface_curve find_straight_arc(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart,
+                                const std::function<bool(const Surface_curve&)>& is_good)
 {
   const std::vector<Index> border = border_of(disc);
   std::vector<Index> place(disc.number_of_vertices(), -1), cell;
@@ -279,10 +280,13 @@ Surface_curve find_straight_arc(const Triangle_surface& disc, const std::vector<
     values.add(all, cell[disc.face(h)], cell[disc.face(o)], cells.length_to(h) + cells.length_to(o), h, false);
   }
   Arc_values::sort(all);
+  int left = 100;
   for (const Arc_candidate& candidate : all)
   {
     Surface_curve arc = straight_arc(disc, cells, candidate);
-    if (!arc.points.empty()) { return arc; }
+    if (arc.points.empty()) { continue; }
+    if (!is_good || is_good(arc)) { return arc; }
+    if (--left == 0) { break; }
   }
   return {};
 }
@@ -317,9 +321,10 @@ Surface_curve find_arc_of_edges(const Triangle_surface& disc, const std::vector<
 
 } // namespace internal
 
-Surface_curve find_arc(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart, bool on_edges)
+Surface_curve find_arc(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart, bool on_edges,
+                       const std::function<bool(const Surface_curve&)>& is_good)
 {
-  return on_edges ? internal::find_arc_of_edges(disc, apart) : internal::find_straight_arc(disc, apart);
+  return on_edges ? internal::find_arc_of_edges(disc, apart) : internal::find_straight_arc(disc, apart, is_good);
 }
 
 } // namespace meridian

@@ -229,9 +229,10 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   for (std::size_t i : which)
   {
     Chart& chart = m_charts[i];
-    const Surface_curve arc = carry_over(chart, find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges));
-    chart.is_whole = arc.points.empty() || !has_room(arc);
-    if (!chart.is_whole) { arcs.push_back(arc); }
+    Surface_curve arc = find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges,
+                                 [&](const Surface_curve& a) { return has_room(carry_over(chart, a)); });
+    chart.is_whole = arc.points.empty();
+    if (!chart.is_whole) { arcs.push_back(carry_over(chart, std::move(arc))); }
   }
   if (arcs.empty()) { return false; }
   Insertion done = insert_curves(m_root, m_result.cut.surface, arcs);

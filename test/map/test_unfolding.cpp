@@ -185,6 +185,21 @@ BOOST_AUTO_TEST_CASE(an_arc_parts_what_should_be_apart)
   for (const Curve_point& p : arc.points) { BOOST_TEST(std::abs(position(flat, p)[0] - 1.5) < 0.5); }
 }
 
+BOOST_AUTO_TEST_CASE(an_arc_that_is_not_good_gives_way_to_the_next)
+{
+  const Triangle_surface s = strip();
+  int tries = 0;
+  const auto far_off = [&](const Surface_curve& arc) {
+    ++tries;
+    return std::abs(position(s, arc.points.front())[0] - 5) > 0.3;
+  };
+  const Surface_curve arc = find_arc(s, {}, false, far_off);
+  BOOST_TEST_REQUIRE(arc.points.size() > 1u);
+  BOOST_TEST(tries > 1);
+  BOOST_TEST(far_off(arc));
+  BOOST_TEST(find_arc(s, {}, false, [](const Surface_curve&) { return false; }).points.empty());
+}
+
 BOOST_AUTO_TEST_CASE(a_face_has_no_arc)
 {
   const Triangle_surface one = sample::connected({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}, {}});
