@@ -229,8 +229,14 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   for (std::size_t i : which)
   {
     Chart& chart = m_charts[i];
-    Surface_curve arc = find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges,
-                                 [&](const Surface_curve& a) { return has_room(carry_over(chart, a)); });
+    const auto is_good = [&](const Surface_curve& a) { return has_room(carry_over(chart, a)); };
+    const auto find = [&] { return find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges, is_good); };
+    Surface_curve arc = find();
+    if (arc.points.empty() && !chart.apart.empty()) // what overlaps is too small to be parted
+    {
+      chart.apart.clear();
+      arc = find();
+    }
     chart.is_whole = arc.points.empty();
     if (!chart.is_whole) { arcs.push_back(carry_over(chart, std::move(arc))); }
   }

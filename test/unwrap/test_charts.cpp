@@ -132,6 +132,14 @@ BOOST_AUTO_TEST_CASE(no_more_charts_than_faces)
   check(s, u);
 }
 
+// A limb that is much too short for its curvature overlaps itself in a few faces, which no arc parts.
+BOOST_AUTO_TEST_CASE(an_overlap_that_cannot_be_parted_is_no_hindrance)
+{
+  const Triangle_surface s = sample::tube_with_cap(8, 40);
+  for (const int charts : {2, 4}) { check(s, divided(s, charts)); }
+  BOOST_TEST(divided(s, 4).charts == 4u);
+}
+
 // The same charts whatever the scale, the same numbers of them however faces are numbered.
 BOOST_AUTO_TEST_CASE(charts_do_not_depend_on_scale)
 {
