@@ -63,13 +63,9 @@ bool Layout_verifier::meet(Id a, Id b) const
 {
   const auto a0 = point<Kernel>(at(a)), a1 = point<Kernel>(at(next_side(a))), b0 = point<Kernel>(at(b)),
              b1 = point<Kernel>(at(next_side(b)));
-  // two sides with a vertex in common may lie on each other
-  const auto fold = [](const auto& common, const auto& x, const auto& y) {
-    return CGAL::orientation(common, x, y) == CGAL::COLLINEAR
-           && !CGAL::collinear_are_strictly_ordered_along_line(x, common, y);
-  };
-  if (vertex(a) == vertex(next_side(b))) { return fold(a0, a1, b0); }
-  if (vertex(b) == vertex(next_side(a))) { return fold(b0, b1, a0); }
+  // If two sides lie on each other from a vertex that both have, the end of the shorter lies on the longer, and so does
+  // the side that goes on from there.
+  if (vertex(a) == vertex(next_side(b)) || vertex(b) == vertex(next_side(a))) { return false; }
   return CGAL::do_intersect(Kernel::Segment_2(a0, a1), Kernel::Segment_2(b0, b1));
 }
 
