@@ -396,6 +396,24 @@ void add_unwrapping(files::Output_files& out, const Unwrap_arguments& arguments,
   }
 }
 
+// What was unwrapped, in one line.
+std::string caption_of(const Cut_result& result, const std::vector<Unwrapping>& unwrapped)
+{
+  std::size_t charts = 0;
+  double worst = 0;
+  for (const Unwrapping& u : unwrapped)
+  {
+    charts += u.charts;
+    worst = std::max(worst, u.map.distortion.stretch_l2);
+  }
+  std::ostringstream caption;
+  caption << count_of(unwrapped.size(), "component", "components") << ", genus " << result.genus << ", " << result.loops
+          << " boundary loops; ";
+  if (charts > unwrapped.size()) { caption << charts << " charts, "; }
+  caption << "cut length " << result.length << ", L2 stretch " << worst;
+  return caption.str();
+}
+
 int run_unwrap(const Unwrap_arguments& arguments)
 {
   check_unwrap_arguments(arguments);
@@ -417,20 +435,17 @@ int run_unwrap(const Unwrap_arguments& arguments)
     unwrapped.push_back(unwrap_surface(components[i].surface, options.back()));
     found.push_back(std::move(unwrapped.back().cut));
   }
-  std::vector<Plane_point> texture;
   Cut_result result = assemble_cut(loaded, std::move(found), cuts);
-  texture = pack(arguments, loaded, unwrapped, result.assembled);
+  const std::vector<Plane_point> texture = pack(arguments, loaded, unwrapped, result.assembled);
   const double gap = arguments.packing.padding / arguments.packing.resolution;
   verify(result, terminal, [&](const Assembled_result& assembled) {
     return verify_unwrapping(loaded.soup, assembled.mesh, texture, gap);
   });
   const Result_mesh& mesh = result.assembled.mesh;
   const Verification& verification = result.verification;
-  double worst = 0;
   for (std::size_t i = 0; i < unwrapped.size(); ++i)
   {
     result.components[i]["parameterization"] = report_map(unwrapped[i], options[i], components[i].unit);
-    worst = std::max(worst, unwrapped[i].map.distortion.stretch_l2);
   }
   const std::vector<std::string> warnings = warnings_of(unwrapped), missed = missed_of(arguments, unwrapped, options);
   Json report{{"meridian", MERIDIAN_VERSION},
@@ -452,10 +467,7 @@ int run_unwrap(const Unwrap_arguments& arguments)
     report["geometry_image"] = add_geometry_image(out, arguments, components.front(), unwrapped.front());
   }
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
-  std::ostringstream counts;
-  counts << unwrapped.size() << (unwrapped.size() == 1 ? " component" : " components") << ", genus " << result.genus
-         << ", " << result.loops << " boundary loops; cut length " << result.length << ", L2 stretch " << worst;
-  const std::string caption = counts.str();
+  const std::string caption = caption_of(result, unwrapped);
   if (verification) { add_unwrapping(out, arguments, loaded, result, unwrapped, texture, caption); }
   return end_run(arguments, verification, out, terminal,
                  {loaded.examination.repairs, notes_of(unwrapped, warnings, report),
@@ -483,6 +495,27 @@ void add_picture_options(CLI::App& command, Unwrap_arguments& a)
     ->check(CLI::Range(5, 16384))
     ->type_name("N")
     ->group("Pictures");
+}
+
+void add_chart_options(CLI::App& command, Unwrap_arguments& a)
+{
+  command
+    .add_option_function<std::string>(
+      "--charts", [&a](const std::string& n) { a.charts = n == "auto" ? 0 : std::stoi(n); },
+      "divide each component into N charts, or as few as bring the L2 stretch to S, by itself 1.02")
+    ->check(CLI::Range(1, 1000000) | CLI::IsMember({"auto"}))
+    ->type_name("N|auto")
+    ->group("Charts");
+  command.add_option("--resolution", a.packing.resolution, "texels along a side of the texture that is packed for")
+    ->check(CLI::Range(16, 65536))
+    ->type_name("N")
+    ->capture_default_str()
+    ->group("Charts");
+  command.add_option("--padding", a.packing.padding, "texels between charts, at least")
+    ->check(CLI::Range(0., 1024.))
+    ->type_name("P")
+    ->capture_default_str()
+    ->group("Charts");
 }
 
 } // namespace
@@ -517,23 +550,10 @@ Command add_unwrap(CLI::App& app)
                  "extend the cut until the L2 stretch is at most S; otherwise until it is 1.1, where that gains enough")
     ->check(CLI::Range(1., 1e300))
     ->type_name("S");
-  command
-    ->add_option_function<std::string>(
-      "--charts", [a](const std::string& n) { a->charts = n == "auto" ? 0 : std::stoi(n); },
-      "divide each component into N charts, or as few as bring the L2 stretch to S, by itself 1.02")
-    ->check(CLI::Range(1, 1000000) | CLI::IsMember({"auto"}))
-    ->type_name("N|auto");
-  command->add_option("--resolution", a->packing.resolution, "texels along a side of the texture that is packed for")
-    ->check(CLI::Range(16, 65536))
-    ->type_name("N")
-    ->capture_default_str();
-  command->add_option("--padding", a->packing.padding, "texels between charts, at least")
-    ->check(CLI::Range(0., 1024.))
-    ->type_name("P")
-    ->capture_default_str();
   command->add_flag("--shortest-seams", "extend the cut only where the L2 stretch is more than 2")
     ->excludes("--max-stretch");
   add_cut_options(*command, *a, Tightening::CURVES);
+  add_chart_options(*command, *a);
   add_picture_options(*command, *a);
   return {command, [a, command] {
             note_cut_options(*command, *a);

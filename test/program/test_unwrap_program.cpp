@@ -328,6 +328,7 @@ BOOST_FIXTURE_TEST_CASE(a_mesh_is_divided_into_charts_and_recounted, Fixture)
     const auto report = json("report.json");
     const int charts = report["components"][0]["parameterization"]["charts"];
     BOOST_TEST(report["verified"] == true);
+    BOOST_TEST(contains(r.out, "boundary loops; " + std::to_string(charts) + " charts, cut length"), r.out);
     BOOST_TEST((option[9] == 'a' || charts == option[9] - '0'));
     BOOST_TEST(report["components"][0]["cut"]["arcs"].size() == static_cast<std::size_t>(charts) - 1);
     BOOST_TEST(report["components"][0]["cut"]["euler_characteristic"] == charts);
