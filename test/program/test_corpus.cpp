@@ -215,6 +215,25 @@ void run_choices(const fs::path& corpus, bool all)
   }
 }
 
+// Charts: each a disc, none over another, at the stretch that was asked for or with a word that it is not.
+void check_charts(const program::Workplace& workplace, const fs::path& mesh, const std::string& name)
+{
+  const auto r = workplace.meridian("unwrap " + quoted(mesh) + " -o out.obj --charts auto --report report.json");
+  const auto report = nlohmann::json::parse(program::read(workplace.folder() / "report.json"));
+  check(r.status == 0 || (r.status == 2 && !report["missed"].empty()), name,
+        "unwrap --charts auto: exit status " + std::to_string(r.status) + ": " + r.error);
+  check(report["failures"].empty(), name, "charts: " + report["failures"].dump());
+  const auto verify = workplace.meridian("verify " + quoted(mesh) + " out.obj");
+  check(verify.status == 0, name, "verify: exit status " + std::to_string(verify.status) + ": " + verify.error);
+  for (const auto& c : report["components"])
+  {
+    check(r.status == 2 || c["parameterization"]["stretch_l2"] <= 1.02, name, "charts stretch to more than 1.02");
+    check(c["cut"]["euler_characteristic"] == c["parameterization"]["charts"], name, "charts are no discs");
+  }
+  check(report["texture"]["coverage"] >= 0.3, name, "charts fill less than 0.3 of the square");
+  workplace.shell("rm -f out.obj out.map.json report.json");
+}
+
 // Texture coordinates: verified, without flipped faces, and one-to-one.
 void run_unwrap(const fs::path& corpus, bool all)
 {
@@ -260,6 +279,8 @@ void run_unwrap(const fs::path& corpus, bool all)
                 sum[2] / faces, seconds);
     std::fflush(stdout);
     workplace.shell("rm -f out.obj out.map.json report.json");
+    constexpr int small_enough = 15000; // the others take as long again
+    if (all || std::stoi(row.at("F")) < small_enough) { check_charts(workplace, mesh, name); }
     ++passed;
   }
 }
