@@ -179,8 +179,14 @@ bool Chart_divider::extend(double wanted)
   const auto goal = [&](double expected) {
     return std::sqrt(1 + (expected * expected - 1) * std::max(wanted / now, farthest));
   };
-  const Extension_plan plan =
-    plan_extensions(m_result.disc, goal, m_options.extensions - m_result.extended, m_options.cut.solvers.laplace);
+  Extension_plan plan;
+  try
+  {
+    plan =
+      plan_extensions(m_result.disc, goal, m_options.extensions - m_result.extended, m_options.cut.solvers.laplace);
+  }
+  catch (const Solver_error&)
+  {} // then it is divided
   if (plan.vertices.empty()) { return false; }
   Cut before = m_result.cut;
   extend_cut(m_root, m_result.cut, plan.vertices, m_options.cut.on_edges);
