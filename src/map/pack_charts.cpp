@@ -5,12 +5,14 @@
 #include <meridian/map/planar_map.h>
 
 #include <meridian/base/Bounding_box.h>
+#include <meridian/base/exceptions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -62,10 +64,16 @@ public:
     if (m_charts.size() == 1) { return place_one(); }
     // the gap between charts is known once the square is
     const int gap = std::max(gap_for(cells), 1);
-    for (double hoped_for = 0.6;;)
+    constexpr double least = 1e-9;
+    for (double hoped_for = 0.6; hoped_for > least;)
     {
       find_unit(hoped_for);
       auto placed = place_all(gap);
+      if (placed.empty()) // they are too large for the cells there are
+      {
+        hoped_for /= 4;
+        continue;
+      }
       double size = 0;
       for (const auto& points : placed)
         for (const Plane_point& p : points) { size = std::max({size, p[0], p[1]}); }
@@ -77,6 +85,8 @@ public:
       scale_down(placed, size);
       return placed;
     }
+    throw Invalid_input_error("the padding leaves no room for " + std::to_string(m_charts.size())
+                              + " charts; a smaller padding or a higher resolution would help");
   }
 
 private:
@@ -130,6 +140,7 @@ private:
     return all;
   }
 
+  // Nothing if there is no place for one.
   std::vector<std::vector<Plane_point>> place_all(int gap) const
   {
     Atlas atlas(2 * cells, gap), coarse(2 * cells / coarser, 0);
@@ -147,6 +158,7 @@ private:
         const Plane_point direction = find_best(coarse, i, all, unit / coarser).direction;
         best = find_best(atlas, i, {direction}, unit);
       }
+      if (!best.place) { return {}; }
       atlas.take(best.cells, *best.place);
       coarse.take(coarsened(best.cells, *best.place, gap, coarser), {0, 0, (atlas.extent() + coarser - 1) / coarser});
       placed[i] = std::move(best.at);

@@ -3,6 +3,7 @@
 
 #include "support/sample_surfaces.h"
 
+#include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/map/internal/Atlas.h>
 #include <meridian/map/pack_charts.h>
@@ -148,6 +149,15 @@ BOOST_AUTO_TEST_CASE(more_padding_keeps_charts_farther_apart)
   BOOST_TEST(filled[1] < filled[0] + 0.01); // about: what fits depends on the shapes
   BOOST_TEST(filled[2] < filled[1]);
   BOOST_TEST(filled[3] < filled[2]);
+}
+
+BOOST_AUTO_TEST_CASE(padding_without_room_for_charts_is_refused)
+{
+  const Pixels square(1, 1, [](int, int) { return true; });
+  std::vector<Chart> charts(100, square.chart());
+  BOOST_CHECK_THROW(pack_charts(charts, {64, 16}), Invalid_input_error);
+  pack_charts(charts, {64, 5});
+  BOOST_TEST(least_distance(charts) >= 5. / 64);
 }
 
 BOOST_AUTO_TEST_CASE(a_chart_fits_into_the_bay_of_another)

@@ -40,6 +40,7 @@ struct Pack_options
  * \param charts the charts; their points are moved
  * \param options see there
  * \returns the part of the square that is filled
+ * \throws Invalid_input_error if the padding leaves no room for so many charts
  * \pre there is a chart; no padding is more than a quarter of the resolution
  * \par Complexity
  * For each chart and direction, the number of the chart's rows of cells times that of the square's, of which there are
