@@ -47,7 +47,7 @@ END
     cat <<END
 $m 20 unwrap $m -o out.obj --report r.json --view v.html --svg l.svg --png p.png --distortion d.ply
 $m 21 unwrap $m -o out.obj --report r.json --parameterization stretch --border square
-$m 22 unwrap $m -o out.obj --report r.json --parameterization lscm
+$m 22 unwrap $m -o out.obj --report r.json --parameterization conformal
 $m 23 compare $m --cut 0 --cut 1 --report r.json
 END
   done
@@ -57,7 +57,7 @@ $m 30 cut $m -o out.obj --tighten graph --report r.json --curves c.obj
 $m 31 cut $m -o out.obj --method geometry-image --on-edges --tighten graph --report r.json
 $m 32 cut $m -o out.obj --family 6 --report r.json
 $m 33 generators $m -o out.obj --basis shortest --report r.json
-$m 34 unwrap $m -o out.obj --report r.json --parameterization arap --on-edges
+$m 34 unwrap $m -o out.obj --report r.json --parameterization conformal --on-edges
 $m 35 unwrap $m -o out.obj --report r.json --parameterization mean-value --family 3 --stretch-weight 0.5
 $m 36 unwrap $m -o out.obj --report r.json --parameterization conformal --max-stretch 1.2
 $m 37 unwrap $m -o out.obj --report r.json --parameterization authalic

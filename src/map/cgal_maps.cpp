@@ -6,12 +6,9 @@
 #include <CGAL/Eigen_solver_traits.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Barycentric_mapping_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Circular_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/Discrete_conformal_map_parameterizer_3.h>
-#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/Square_border_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
@@ -91,11 +88,7 @@ SMP::Error_code map_disc(Cgal_disc& disc, Map_method method, bool in_square)
   case Map_method::MEAN_VALUE:
     return run(SMP::Mean_value_coordinates_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
   case Map_method::TUTTE: return run(SMP::Barycentric_mapping_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
-  case Map_method::CONFORMAL:
-    return run(SMP::Discrete_conformal_map_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
-  case Map_method::AUTHALIC: return run(SMP::Discrete_authalic_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
-  case Map_method::LSCM: return run(SMP::LSCM_parameterizer_3<Mesh>());
-  default: return run(SMP::ARAP_parameterizer_3<Mesh, SMP::Two_vertices_parameterizer_3<Mesh>, Solver>());
+  default: return run(SMP::Discrete_authalic_parameterizer_3<Mesh, Circle_or_square, Solver>(shape));
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include <meridian/base/exceptions.h>
 #include <meridian/map/constrained_triangulation.h>
-#include <meridian/map/internal/dirichlet_energy.h>
 #include <meridian/map/internal/disc_hierarchy.h>
+#include <meridian/map/internal/distortion_energy.h>
 #include <meridian/map/internal/relax_locally.h>
 #include <meridian/map/is_one_to_one.h>
 #include <meridian/map/map_into_polygon.h>
@@ -237,7 +237,7 @@ private:
 void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, const Distortion_options& options,
                       bool is_near, const Progress& progress)
 {
-  Distortion_minimizer minimizer(s, true, at, options.make_solver, is_near);
+  Distortion_minimizer minimizer(s, at, options, is_near);
   constexpr int few = 4;
   constexpr double little = 1e-3; // to be gained by a step, on average of a few
   std::array<double, few> gained; // by the last of them

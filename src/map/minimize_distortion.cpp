@@ -74,10 +74,11 @@ std::vector<Index> number_what_moves(const Triangle_surface& disc, bool has_free
 
 } // namespace
 
-Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool has_free_border,
-                                           std::vector<Plane_point>& at, Make_solver make_solver, bool is_near)
-  : m_at(at), m_solver(make_solver()), m_has_free_border(has_free_border), m_faces(rest_triangles(disc)),
-    m_hessian(number_what_moves(disc, has_free_border)), m_is_near(is_near), m_resistance(is_near ? 0.001 : 0.01)
+Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, std::vector<Plane_point>& at,
+                                           const Distortion_options& options, bool is_near)
+  : m_at(at), m_solver(options.make_solver()), m_energy(options.energy), m_has_free_border(options.has_free_border),
+    m_faces(rest_triangles(disc)), m_hessian(number_what_moves(disc, options.has_free_border)), m_is_near(is_near),
+    m_resistance(is_near ? 0.001 : 0.01)
 {
   for (Index v = 0; v < static_cast<Index>(at.size()) + 4; ++v) { m_may_move.push_back(m_hessian.unknown(v) >= 0); }
   const auto loops = boundary_loops(disc);
@@ -90,7 +91,7 @@ Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, bool ha
   }
   // It is the surface that is scaled, so that a border that is fixed stays to the bit.
   const double scale = std::sqrt(m_area / image);
-  m_is_roomy = has_free_border && is_roomy(m_loop, m_at);
+  m_is_roomy = m_has_free_border && is_roomy(m_loop, m_at);
   for (Rest_triangle& t : m_faces)
   {
     for (Plane_point& g : t.gradients) { g = scale * g; }
@@ -169,15 +170,15 @@ double Distortion_minimizer::step()
 double Distortion_minimizer::energy(const std::vector<Plane_point>& at) const
 {
   double sum = 0;
-  for (const Rest_triangle& t : m_faces) { sum += t.weight * symmetric_dirichlet_energy(gradient_of(t, at)); }
+  for (const Rest_triangle& t : m_faces) { sum += t.weight * energy_of(m_energy, gradient_of(t, at)); }
   return sum;
 }
 
 double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move)
 {
   m_hessian.reset(m_faces, m_outside);
-  for (const auto* triangles : {&m_faces, &m_outside})
-    for (const Rest_triangle& t : *triangles) { m_hessian.add(t, derive_energy(t, gradient_of(t, at))); }
+  for (const Rest_triangle& t : m_faces) { m_hessian.add(t, derive_energy(t, gradient_of(t, at), m_energy)); }
+  for (const Rest_triangle& t : m_outside) { m_hessian.add(t, derive_energy(t, gradient_of(t, at))); }
   // A little is added to the diagonal, and more if rounding made the matrix indefinite.
   const Index unknowns = m_hessian.number_of_unknowns();
   double added = 1e-12 * m_hessian.trace() / unknowns;
@@ -206,7 +207,7 @@ double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, 
 void minimize_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options,
                          const Progress& progress)
 {
-  internal::Distortion_minimizer minimizer(disc, options.has_free_border, at, options.make_solver);
+  internal::Distortion_minimizer minimizer(disc, at, options);
   for (int i = 0; i < options.iterations; ++i)
   {
     if (progress) { progress(static_cast<double>(i) / options.iterations); }

@@ -59,6 +59,34 @@ std::vector<Plane_point> place_on_square(const std::vector<double>& places)
   return points;
 }
 
+Distortion_options distortion_options(const Map_options& options, Distortion_energy energy, Map_border border)
+{
+  Distortion_options distortion;
+  distortion.energy = energy;
+  distortion.has_free_border = border == Map_border::FREE;
+  distortion.make_solver = options.make_solver;
+  return distortion;
+}
+
+// Lowers the distortion of angles of a map of low distortion.
+void lower_angle_distortion(const Triangle_surface& disc, std::vector<Plane_point>& at, const Map_options& options,
+                            Map_border border, const Progress& progress)
+{
+  try
+  {
+    minimize_distortion(disc, at, distortion_options(options, Distortion_energy::CONFORMAL, border), progress);
+  }
+  catch (const Solver_error&)
+  {} // what was reached so far is a map
+}
+
+// Part `i` of two of what is to be done.
+Progress half_of(const Progress& progress, int i)
+{
+  if (!progress) { return {}; }
+  return [progress, i](double done) { progress((i + done) / 2); };
+}
+
 // Maps a disc by one method. Returns why there is no map, or nothing.
 std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border border, const Map_options& options,
                      const Progress& progress, std::vector<Plane_point>& at)
@@ -67,9 +95,13 @@ std::string map_disc(const Triangle_surface& disc, Map_method method, Map_border
   {
     return internal::map_with_cgal(disc, method, border == Map_border::SQUARE, at);
   }
-  Distortion_options distortion;
-  distortion.has_free_border = border == Map_border::FREE;
-  distortion.make_solver = options.make_solver;
+  if (method == Map_method::CONFORMAL)
+  {
+    std::string reason = map_disc(disc, Map_method::SYMMETRIC_DIRICHLET, border, options, half_of(progress, 0), at);
+    if (reason.empty()) { lower_angle_distortion(disc, at, options, border, half_of(progress, 1)); }
+    return reason;
+  }
+  const Distortion_options distortion = distortion_options(options, Distortion_energy::SYMMETRIC_DIRICHLET, border);
   if (method == Map_method::SYMMETRIC_DIRICHLET && border == Map_border::FREE)
   {
     at = internal::map_by_levels(disc, distortion, progress);
@@ -131,14 +163,12 @@ void check(const Map_options& o)
   const auto forbid = [](bool is_wrong, const std::string& message) {
     if (is_wrong) { throw Invalid_input_error(message); }
   };
-  const std::string method = std::string("map method ") + name_of(o.method);
-  forbid(o.border != Map_border::FREE && !takes(o.method, o.border),
-         method + " has a free border; it cannot be put on a " + name_of(o.border));
   forbid(o.loop.size() != o.polygon.size(), "a polygon for the border goes with as many halfedges; "
                                               + std::to_string(o.polygon.size()) + " points and "
                                               + std::to_string(o.loop.size()) + " halfedges were given");
   forbid(!o.polygon.empty() && o.border != Map_border::SQUARE, "a polygon for the border takes the place of a square");
-  forbid(!o.polygon.empty() && !takes_polygon(o.method), method + " cannot put the border on a polygon that is given");
+  forbid(!o.polygon.empty() && !takes_polygon(o.method),
+         std::string("map method ") + name_of(o.method) + " cannot put the border on a polygon that is given");
 }
 
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options, const Progress& progress)
@@ -148,7 +178,7 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
   using Choice = std::pair<Map_method, Map_border>;
   std::vector<Choice> choices;
   const auto add = [&](Map_method m, Map_border border) {
-    if (border == Map_border::FREE && !takes(m, border)) { border = Map_border::CIRCLE; }
+    if (border == Map_border::FREE && !improves_maps(m)) { border = Map_border::CIRCLE; }
     if (border == Map_border::SQUARE && is_small) { border = Map_border::CIRCLE; }
     if (std::find(choices.begin(), choices.end(), Choice(m, border)) == choices.end())
     {
@@ -205,11 +235,14 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
 Parameterization improve_map(const Triangle_surface& disc, std::vector<Plane_point> at, const Map_options& options,
                              const Progress& progress)
 {
-  Distortion_options distortion;
-  distortion.make_solver = options.make_solver;
-  internal::lower_distortion(disc, at, distortion, true, progress);
-  place_in_unit_square(at);
   Parameterization map;
+  map.method = options.method;
+  const bool is_conformal = options.method == Map_method::CONFORMAL;
+  internal::lower_distortion(disc, at,
+                             distortion_options(options, Distortion_energy::SYMMETRIC_DIRICHLET, Map_border::FREE),
+                             true, is_conformal ? half_of(progress, 0) : progress);
+  if (is_conformal) { lower_angle_distortion(disc, at, options, Map_border::FREE, half_of(progress, 1)); }
+  place_in_unit_square(at);
   map.flipped = find_flipped_faces(disc.triangles, at);
   map.at = std::move(at);
   map.attempts.push_back({map.method, map.border, static_cast<Index>(map.flipped.size()), ""});

@@ -56,9 +56,7 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Usage_error(message); }
   };
-  const bool is_free = !takes(a.parameterization, Map_border::CIRCLE);
-  forbid(is_free && a.border != Map_border::FREE, "this --parameterization has a free border; leave out --border");
-  forbid(a.has_border && a.border == Map_border::FREE && !takes(a.parameterization, Map_border::FREE),
+  forbid(a.has_border && a.border == Map_border::FREE && !improves_maps(a.parameterization),
          "this --parameterization needs a border; --border circle or square");
   forbid(!a.texture.empty() && files::ending_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
   const auto format = files::format_of(a.distortion);
@@ -75,7 +73,8 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   {
     forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
     forbid((a.has_border && a.border != Map_border::SQUARE) || !takes_polygon(a.parameterization),
-           "--geometry-image maps into a square with --parameterization symmetric-dirichlet, stretch or positive");
+           "--geometry-image maps into a square with --parameterization symmetric-dirichlet, conformal, stretch or "
+           "positive");
     for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
   }
   check_paths(a, written);

@@ -288,8 +288,7 @@ Surface_curve Chart_divider::carry_over(const Chart& chart, Surface_curve curve)
 
 void Chart_divider::map_charts()
 {
-  const bool is_free =
-    m_options.map.method == Map_method::SYMMETRIC_DIRICHLET && m_options.map.border == Map_border::FREE;
+  const bool is_free = improves_maps(m_options.map.method) && m_options.map.border == Map_border::FREE;
   double whole = 0, mapped = 0;
   for (const Chart& chart : m_charts) { whole += chart.area; }
   for (Chart& chart : m_charts)
@@ -314,8 +313,10 @@ void Chart_divider::map_charts()
 void Chart_divider::divide_further()
 {
   constexpr int rounds = 12;
+  constexpr std::size_t many_faces = 35; // of the surface, for each chart
   constexpr double least_gain = 0.05;
   double part = 0.5; // of the excess of a chart that is lost when it is divided
+  bool was_in_vain = false;
   for (int i = 0; i < rounds && is_automatic() && excess() > m_wanted; ++i)
   {
     const double before = excess();
@@ -324,7 +325,10 @@ void Chart_divider::divide_further()
     if (!divide(which)) { return; }
     map_charts();
     note("divided into " + std::to_string(m_charts.size()) + " charts");
-    if (before - excess() < least_gain * (before - m_wanted)) { return; } // slivers may never be flat enough
+    // slivers may never be flat enough; but to halve a large chart once may gain nothing, and twice much
+    const bool is_in_vain = before - excess() < least_gain * (before - m_wanted);
+    if (is_in_vain && (was_in_vain || many_faces * m_charts.size() > m_root.triangles.size())) { return; }
+    was_in_vain = is_in_vain;
     part = std::clamp((before - excess()) / at_stake, 0.1, 0.5);
   }
 }
@@ -341,9 +345,10 @@ void Chart_divider::divide_wasteful()
   constexpr double longer = 1.25, worth = 0.08; // that seams may become; that e times as many charts must bring
   constexpr int patience = 4;
   constexpr std::size_t many = 100; // what is between so many is mostly padding
-  if (!is_automatic() || !(m_options.filled > 0)) { return; }
+  if (!is_automatic() || !(m_options.filled > 0) || m_charts.size() >= many) { return; }
   const double length = m_result.cut.length;
-  double best = m_charts.size() < many ? filled() : m_options.filled;
+  double best = filled();
+  if (best >= m_options.filled) { return; }
   Cut best_cut = m_result.cut;
   std::vector<Chart> best_charts = m_charts;
   int in_vain = 0;

@@ -36,13 +36,12 @@ Unwrapping Unwrapper::run()
 
 bool Unwrapper::may_unfold() const
 {
-  return m_options.map.method == Map_method::SYMMETRIC_DIRICHLET && m_options.map.border == Map_border::FREE
-         && m_options.image_size == 0;
+  return improves_maps(m_options.map.method) && m_options.map.border == Map_border::FREE && m_options.image_size == 0;
 }
 
 bool Unwrapper::has_unfolded() const
 {
-  return m_best.map.method == Map_method::SYMMETRIC_DIRICHLET && m_best.map.border == Map_border::FREE;
+  return improves_maps(m_best.map.method) && m_best.map.border == Map_border::FREE;
 }
 
 double Unwrapper::wanted_stretch() const

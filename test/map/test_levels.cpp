@@ -4,8 +4,8 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/cut/Cut.h>
-#include <meridian/map/internal/dirichlet_energy.h>
 #include <meridian/map/internal/disc_hierarchy.h>
+#include <meridian/map/internal/distortion_energy.h>
 #include <meridian/map/internal/map_by_levels.h>
 #include <meridian/map/internal/relax_locally.h>
 #include <meridian/map/is_one_to_one.h>

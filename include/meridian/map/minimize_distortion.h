@@ -5,7 +5,8 @@
 #include <meridian/base/Progress_observer.h>
 #include <meridian/base/vectors.h>
 #include <meridian/field/Sparse_solver.h>
-#include <meridian/map/internal/dirichlet_energy.h>
+#include <meridian/map/Distortion_energy.h>
+#include <meridian/map/internal/distortion_energy.h>
 #include <meridian/map/internal/distortion_hessian.h>
 #include <meridian/surface/Triangle_surface.h>
 
@@ -19,7 +20,8 @@ namespace meridian {
 /// when `minimize_distortion()` ends.
 struct Distortion_options
 {
-  int iterations = 100; ///< at most
+  Distortion_energy energy = Distortion_energy::SYMMETRIC_DIRICHLET; ///< what is lowered
+  int iterations = 100;                                              ///< at most
   /// it ends when no more than this part of the energy can be gained by a step
   double least_gain = 1e-3;
   bool has_free_border = true;                     ///< whether the border may move
@@ -38,11 +40,11 @@ std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s);
 class Distortion_minimizer
 {
 public:
-  // `is_near`: whether the map has the shape that it will have, but for small parts. Then what is outside resists less
+  // `options`: all but its limits. `is_near`: whether the map has the shape that it will have, but for small parts. Then what is outside resists less
   // to begin with, and squeezed vertices are moved one by one before a step, if they were in the way of the last. From
   // far away that would only crumple the border.
-  Distortion_minimizer(const Triangle_surface& disc, bool has_free_border, std::vector<Plane_point>& at,
-                       Make_solver make_solver = make_symmetric_solver, bool is_near = false);
+  Distortion_minimizer(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options,
+                       bool is_near = false);
 
   // Moves the points. Returns the part of the energy that the step could have gained, if nothing had been in its way.
   double step();
@@ -64,6 +66,7 @@ private:
 
   std::vector<Plane_point>& m_at;
   std::unique_ptr<Sparse_solver> m_solver; // one for all steps
+  const Distortion_energy m_energy;
   const bool m_has_free_border;
   std::vector<Rest_triangle> m_faces, m_outside;
   Distortion_hessian m_hessian;
@@ -86,8 +89,8 @@ private:
  *
  * lowers the distortion of a map.
  *
- * The symmetric Dirichlet energy (\cite smith2015) is minimized by Newton's method with the Hessian's negative
- * part left out (\cite smith2019). If the border may move, the plane outside of the image is triangulated and
+ * An energy, by itself the symmetric Dirichlet energy (\cite smith2015), is minimized by Newton's method with the
+ * Hessian's negative part left out (\cite smith2019). If the border may move, the plane outside of the image is triangulated and
  * resists too, so that it does not run into itself (\cite jiang2017). A step is taken only if no face is
  * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
  * thought scaled to the area that the image has at the beginning.

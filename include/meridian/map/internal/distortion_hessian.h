@@ -4,7 +4,7 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/field/Sparse_matrix.h>
-#include <meridian/map/internal/dirichlet_energy.h>
+#include <meridian/map/internal/distortion_energy.h>
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,7 @@
 #define MERIDIAN_MAP_INTERNAL_RELAX_LOCALLY_H
 
 #include <meridian/base/vectors.h>
-#include <meridian/map/internal/dirichlet_energy.h>
+#include <meridian/map/internal/distortion_energy.h>
 
 #include <vector>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef MERIDIAN_MAP_INTERNAL_DIRICHLET_ENERGY_H
-#define MERIDIAN_MAP_INTERNAL_DIRICHLET_ENERGY_H
+#ifndef MERIDIAN_MAP_INTERNAL_DISTORTION_ENERGY_H
+#define MERIDIAN_MAP_INTERNAL_DISTORTION_ENERGY_H
 
 #include <meridian/base/vectors.h>
+#include <meridian/map/Distortion_energy.h>
 
 #include <array>
 #include <vector>
@@ -33,6 +34,15 @@ Map_gradient gradient_of(const Rest_triangle& t, const std::vector<Plane_point>&
 // |J|^2 + |J^-1|^2 (Smith, Schaefer 2015): 4 for a rotation, infinite where J has no positive determinant.
 double symmetric_dirichlet_energy(const Map_gradient& j);
 
+// |J|^2 / det J (Hormann, Greiner 2000), 2 for what keeps angles, and a small part of det J + 1 / det J, without which
+// the areas of faces would have no bounds: so 2.04 for a rotation, infinite where J has no positive determinant.
+double conformal_energy(const Map_gradient& j);
+
+inline double energy_of(Distortion_energy energy, const Map_gradient& j)
+{
+  return energy == Distortion_energy::CONFORMAL ? conformal_energy(j) : symmetric_dirichlet_energy(j);
+}
+
 // A summand of the Hessian, lambda q q^T.
 struct Hessian_mode
 {
@@ -48,7 +58,8 @@ struct Energy_derivatives
   std::array<Hessian_mode, 4> modes;
 };
 
-Energy_derivatives derive_energy(const Rest_triangle& t, const Map_gradient& j);
+Energy_derivatives derive_energy(const Rest_triangle& t, const Map_gradient& j,
+                                 Distortion_energy energy = Distortion_energy::SYMMETRIC_DIRICHLET);
 
 // How far the corners can go until the triangle loses its area; at most 1.
 double step_to_collapse(const Rest_triangle& t, const std::vector<Plane_point>& at,
@@ -57,4 +68,4 @@ double step_to_collapse(const Rest_triangle& t, const std::vector<Plane_point>& 
 } // namespace internal
 } // namespace meridian
 
-#endif // MERIDIAN_MAP_INTERNAL_DIRICHLET_ENERGY_H
+#endif // MERIDIAN_MAP_INTERNAL_DISTORTION_ENERGY_H
