@@ -48,26 +48,35 @@ Ordered_surface order_for_cut(Cut_job& job, const Field_options& field, bool one
   return m;
 }
 
+std::vector<Surface_curve> find_cut_meridians(Cut_job& job, const Field_options& field, const Meridian_options& choice,
+                                              Meridian_search& search)
+{
+  Ordered_surface m = order_for_cut(job, field);
+  m.placement = choice.placement;
+  job.run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
+  job.run(Stage::MERIDIANS,
+          [&] { find_meridians(job.root, m, job.cut.genus, choice.preference, search, choice.levels); });
+  std::vector<Surface_curve> meridians;
+  if (job.options.tightening == Tightening::NONE)
+  {
+    job.run(Stage::INSERT, [&] { meridians = project_contours(job.root, m, search.chosen()); });
+  }
+  else
+  {
+    job.run(Stage::TIGHTEN, [&] { meridians = tighten_meridians(job, m, search.chosen()); });
+  }
+  return meridians;
+}
+
 void cut_along_contours(Cut_job& job, const Field_options& field, const Meridian_options& choice)
 {
   const Triangle_surface& root = job.root;
   const Cut_options& options = job.options;
   Cut& cut = job.cut;
-  Ordered_surface m = order_for_cut(job, field);
-  m.placement = choice.placement;
   Meridian_search search;
-  job.run(Stage::CONTOURS, [&] { search.loops = trace_saddle_loops(m); });
-  job.run(Stage::MERIDIANS, [&] {
-    find_meridians(root, m, cut.genus, choice.preference, search, choice.levels);
-    cut.choices = search.choices;
-  });
-  std::vector<Surface_curve> meridians;
-  if (options.tightening != Tightening::NONE)
-  {
-    job.run(Stage::TIGHTEN, [&] { meridians = tighten_meridians(job, m, search.chosen()); });
-  }
+  std::vector<Surface_curve> meridians = find_cut_meridians(job, field, choice, search);
+  cut.choices = search.choices;
   job.run(Stage::INSERT, [&] {
-    if (options.tightening == Tightening::NONE) { meridians = project_contours(root, m, search.chosen()); }
     if (options.on_edges && options.tightening != Tightening::GRAPH)
     {
       meridians = snap_to_edges(root, meridians, options.refine_where_needed);

@@ -107,6 +107,9 @@ private:
   char m_comment;
 };
 
+// An index that does not fit is kept out of range, so that examination counts and names the face.
+inline std::int32_t clamped(std::int64_t i) { return i < 0 || i > 2147483646 ? -1 : static_cast<std::int32_t>(i); }
+
 } // namespace files
 } // namespace meridian
 

@@ -13,9 +13,11 @@
 namespace meridian {
 namespace files {
 
-// Each reads the bytes of one file; they throw File_error.
+struct Mesh_attributes;
+
+// Each reads the bytes of one file; they throw File_error. Those that can hold attributes read them if asked to.
 Polygon_soup read_off(const std::string& bytes);
-Polygon_soup read_obj(const std::string& bytes);
+Polygon_soup read_obj(const std::string& bytes, Mesh_attributes* attributes = nullptr);
 Polygon_soup read_stl(const std::string& bytes);
 Polygon_soup read_ply(const std::string& bytes);
 Polygon_soup read_vtp(const std::string& bytes);

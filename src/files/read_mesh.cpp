@@ -51,24 +51,22 @@ bool is_packed(const std::string& path)
 
 namespace {
 
-using Parse_mesh = Polygon_soup (*)(const std::string&);
-
-Parse_mesh parser_of(Mesh_format format)
+Polygon_soup parse(Mesh_format format, const std::string& bytes, Mesh_attributes* attributes)
 {
   switch (format)
   {
-  case Mesh_format::OFF: return read_off;
-  case Mesh_format::OBJ: return read_obj;
-  case Mesh_format::STL: return read_stl;
-  case Mesh_format::PLY: return read_ply;
-  case Mesh_format::VTP: return read_vtp;
+  case Mesh_format::OFF: return read_off(bytes);
+  case Mesh_format::OBJ: return read_obj(bytes, attributes);
+  case Mesh_format::STL: return read_stl(bytes);
+  case Mesh_format::PLY: return read_ply(bytes);
+  case Mesh_format::VTP: return read_vtp(bytes);
   }
-  return nullptr;
+  return {};
 }
 
 } // namespace
 
-Polygon_soup read_mesh(const std::string& path)
+Polygon_soup read_mesh(const std::string& path, Mesh_attributes* attributes)
 {
   const auto format = format_of(path);
   if (!format)
@@ -80,7 +78,7 @@ Polygon_soup read_mesh(const std::string& path)
   if (bytes.empty()) { throw File_error(path + ": the file is empty"); }
   try
   {
-    return parser_of(*format)(bytes);
+    return parse(*format, bytes, attributes);
   }
   catch (const File_error& e)
   {

@@ -10,6 +10,8 @@
 namespace meridian {
 namespace files {
 
+struct Mesh_attributes;
+
 // A file that cannot be read as a mesh. The message names the file and the place.
 struct File_error : std::runtime_error
 {
@@ -19,8 +21,8 @@ struct File_error : std::runtime_error
 // Reads OFF, OBJ, STL, PLY or VTP, or gzip of these, told apart by the name's ending.
 //
 // Points of STL files are welded: the vertices are the distinct coordinates in order of first appearance, with -0 = 0.
-// No other format is ever welded.
-Polygon_soup read_mesh(const std::string& path);
+// No other format is ever welded. `attributes`, if given, receives what else the file holds, of OBJ files.
+Polygon_soup read_mesh(const std::string& path, Mesh_attributes* attributes = nullptr);
 
 // The whole file, unpacked if it is gzip.
 std::string read_bytes(const std::string& path);

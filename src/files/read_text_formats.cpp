@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF, OBJ and STL.
+// OFF and STL.
 #include "Scanner.h"
 #include "formats.h"
 
@@ -19,9 +19,6 @@ std::int32_t checked_count(const Scanner& in, std::int64_t n, const char* name)
   if (n < 0 || n > 500000000) { in.fail("the number of " + std::string(name) + " is " + std::to_string(n)); }
   return static_cast<std::int32_t>(n);
 }
-
-// An index that does not fit is kept out of range, so that examination counts and names the face.
-std::int32_t clamped(std::int64_t i) { return i < 0 || i > 2147483646 ? -1 : static_cast<std::int32_t>(i); }
 
 struct Hash
 {
@@ -124,56 +121,6 @@ Polygon_soup read_off(const std::string& bytes)
     soup.add_polygon(corners.data(), corners.size());
     if (!in.at_line_end()) { in.skip_line(); } // colours
   }
-  return soup;
-}
-
-Polygon_soup read_obj(const std::string& bytes)
-{
-  std::string joined; // lines that end with a backslash go on
-  if (bytes.find("\\\n") != std::string::npos || bytes.find("\\\r\n") != std::string::npos)
-  {
-    joined = bytes;
-    for (std::size_t i = joined.find('\\'); i != std::string::npos; i = joined.find('\\', i))
-    {
-      std::size_t j = i + 1;
-      if (j < joined.size() && joined[j] == '\r') { ++j; }
-      if (j < joined.size() && joined[j] == '\n')
-      {
-        for (; i <= j; ++i) { joined[i] = ' '; }
-      }
-      else { ++i; }
-    }
-  }
-  Scanner in(joined.empty() ? bytes : joined, "OBJ", '#');
-  Polygon_soup soup;
-  std::vector<std::int32_t> corners;
-  while (!in.at_end())
-  {
-    const std::string_view key = in.word();
-    if (key == "v")
-    {
-      Point p;
-      for (double& x : p)
-      {
-        if (in.at_line_end()) { in.fail("a vertex has fewer than three coordinates"); }
-        x = in.real("a coordinate");
-      }
-      soup.points.push_back(p);
-    }
-    else if (key == "f")
-    {
-      corners.clear();
-      for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
-      {
-        std::int64_t i = in.parse<std::int64_t>(word.substr(0, word.find('/')), "a vertex of a face");
-        i = i > 0 ? i - 1 : i < 0 ? static_cast<std::int64_t>(soup.points.size()) + i : -1; // 0 is no index
-        corners.push_back(clamped(i));
-      }
-      soup.add_polygon(corners.data(), corners.size());
-    }
-    if (!in.at_line_end()) { in.skip_line(); }
-  }
-  if (soup.points.empty() && soup.number_of_polygons() == 0) { in.fail("the file has neither vertices nor faces"); }
   return soup;
 }
 

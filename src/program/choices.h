@@ -32,6 +32,15 @@ enum class Longitudes
   ARC
 };
 
+enum class Chart_per
+{
+  OBJECT,
+  GROUP,
+  MATERIAL,
+  SMOOTHING,
+  SMOOTH_ANGLE
+};
+
 enum class Boundary_mode
 {
   CLOSED,
@@ -66,6 +75,17 @@ template <> struct Names<program::Longitudes>
     {program::Longitudes::FLOW, "flow",
      "of flow lines where these serve; of more than eight handles with --no-tighten alone"},
     {program::Longitudes::ARC, "arc", "shortest arcs at once"},
+  }};
+};
+
+template <> struct Names<program::Chart_per>
+{
+  static constexpr std::array<Named_value<program::Chart_per>, 5> table{{
+    {program::Chart_per::OBJECT, "object", "what an OBJ file names with o"},
+    {program::Chart_per::GROUP, "group", "with g"},
+    {program::Chart_per::MATERIAL, "material", "with usemtl"},
+    {program::Chart_per::SMOOTHING, "smoothing", "with s"},
+    {program::Chart_per::SMOOTH_ANGLE, "smooth-angle", "what edges of more than 30 degrees enclose"},
   }};
 };
 

@@ -110,8 +110,9 @@ std::string format_view(const std::string& title, const Examination& examination
     parts.push_back({examination.components[i].surface, cuts[i].surface, cuts[i].field});
     for (const Named_curve& c : cuts[i].curves)
     {
-      const bool is_other = c.kind == Curve_kind::LINK || c.kind == Curve_kind::PATH || c.kind == Curve_kind::ARC;
-      curves.push_back({is_other ? page::Curve::OTHER : page::Curve::MERIDIAN, i, c.vertices, c.is_closed, "", {}});
+      const bool goes_around =
+        c.kind == Curve_kind::MERIDIAN || c.kind == Curve_kind::LONGITUDE || c.kind == Curve_kind::FLOW_LINE;
+      curves.push_back({goes_around ? page::Curve::MERIDIAN : page::Curve::OTHER, i, c.vertices, c.is_closed, "", {}});
     }
     genus += cuts[i].genus;
     loops += cuts[i].boundary_loops;

@@ -25,13 +25,16 @@
 namespace meridian {
 namespace program {
 
-void check_paths(const Field_arguments& a, const std::vector<std::string>& written)
+void check_paths(const Field_arguments& a, const std::vector<std::string>& written,
+                 const std::vector<std::string>& read)
 {
   const auto place = [](const std::string& path) {
     return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
   };
   std::set<std::string> places;
-  for (const std::string& path : {a.mesh, a.values, a.vertex_weights})
+  std::vector<std::string> inputs{a.mesh, a.values, a.vertex_weights};
+  inputs.insert(inputs.end(), read.begin(), read.end());
+  for (const std::string& path : inputs)
   {
     if (!path.empty()) { places.insert(place(path)); }
   }
@@ -79,7 +82,7 @@ void check_vertex(const char* option, Index v, const Examination& examination)
                     + "; vertices are counted from 0");
 }
 
-Loaded_mesh load_mesh(const Field_arguments& a)
+Loaded_mesh load_mesh(const Field_arguments& a, bool with_attributes)
 {
   Loaded_mesh loaded;
   const auto timed = [](const auto& work) {
@@ -87,7 +90,8 @@ Loaded_mesh load_mesh(const Field_arguments& a)
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  loaded.seconds_reading = timed([&] { loaded.soup = files::read_mesh(a.mesh); });
+  loaded.seconds_reading =
+    timed([&] { loaded.soup = files::read_mesh(a.mesh, with_attributes ? &loaded.attributes : nullptr); });
   heed_interrupts();
   loaded.seconds_examining = timed([&] {
     loaded.examination = examine_surface(loaded.soup, a.repair);

@@ -3,6 +3,7 @@
 #define MERIDIAN_FIELD_ARGUMENTS_H
 
 #include "arguments.h"
+#include "files/Mesh_attributes.h"
 
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/vectors.h>
@@ -14,9 +15,10 @@
 namespace meridian {
 namespace program {
 
-// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read, and File_error
-// if one cannot be written.
-void check_paths(const Field_arguments& arguments, const std::vector<std::string>& written);
+// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read, by what all
+// commands share or as given, and File_error if one cannot be written.
+void check_paths(const Field_arguments& arguments, const std::vector<std::string>& written,
+                 const std::vector<std::string>& read = {});
 
 // The same for the paths of all commands, and Usage_error if options do not go together.
 void check_arguments(const Field_arguments& arguments);
@@ -28,13 +30,14 @@ void check_vertex(const char* option, Index vertex, const Examination& examinati
 struct Loaded_mesh
 {
   Polygon_soup soup;
+  files::Mesh_attributes attributes; // if asked for
   Examination examination;
   std::vector<double> values, vertex_weights; // one a vertex of the file, if options name them
   double seconds_reading, seconds_examining;
 };
 
 // Reads and examines the mesh, and checks the vertices that options name. Signals are heeded once it is read.
-Loaded_mesh load_mesh(const Field_arguments& arguments);
+Loaded_mesh load_mesh(const Field_arguments& arguments, bool with_attributes = false);
 
 // Those of the vertices of the file that lie on a component, in its numbers.
 Index find_local(Index vertex, const Surface_component& component); // or -1

@@ -111,6 +111,7 @@ Json report_cut(const Cut& cut, const Surface_component& component, const Cut_op
               {"links", of_kind(Curve_kind::LINK)},
               {"paths", of_kind(Curve_kind::PATH)},
               {"arcs", of_kind(Curve_kind::ARC)},
+              {"seams", of_kind(Curve_kind::SEAM)},
               {"tightening", name_of(cut.tightening)},
               {"length_found", component.unit * cut.length_found},
               {"on_edges", options.on_edges},

@@ -8,6 +8,7 @@
 #include "files/write_layout.h"
 #include "files/write_mesh.h"
 #include "files/write_texture.h"
+#include "given_seams.h"
 #include "options.h"
 #include "page/format_unwrap_page.h"
 
@@ -66,6 +67,12 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(a.charts != 1 && (a.family > 1 || a.stretch_weight > 0),
          "--family and --stretch-weight compare cuts into one chart; leave out --charts");
   forbid(4 * a.packing.padding > a.packing.resolution, "--padding is more than a quarter of --resolution");
+  const bool has_seams = has_given_seams(a);
+  forbid(a.seams.compare(0, 6, "sharp:") == 0 && !is_kind_of_seam(a.seams),
+         "--seams sharp:ANGLE takes an angle in degrees, more than 0 and less than 180");
+  forbid(has_seams && a.geometry_image > 0, "--geometry-image has a cut of its own; leave out --seams and --chart-per");
+  forbid(has_seams && (a.family > 1 || a.stretch_weight > 0),
+         "--family and --stretch-weight compare cuts; leave out --seams and --chart-per");
   std::vector<std::string> written{
     a.out, files::map_path(a.out, a.map), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
   if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
@@ -77,7 +84,7 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
            "positive");
     for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
   }
-  check_paths(a, written);
+  check_paths(a, written, {is_kind_of_seam(a.seams) ? "" : a.seams});
 }
 
 Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
@@ -413,25 +420,38 @@ std::string caption_of(const Cut_result& result, const std::vector<Unwrapping>& 
   return caption.str();
 }
 
+// The options of each component.
+std::vector<Unwrap_options> unwrap_options(const Unwrap_arguments& arguments, const Loaded_mesh& loaded,
+                                           const std::vector<Cut_options>& cuts)
+{
+  std::vector<std::vector<Index>> seams = find_given_seams(arguments, loaded);
+  std::vector<Unwrap_options> options;
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+  {
+    options.push_back(unwrap_options(arguments, cuts[i]));
+    options.back().seams = std::move(seams[i]);
+    if (cuts.size() > 1) { options.back().filled = 0; } // they fill the square together
+  }
+  return options;
+}
+
 int run_unwrap(const Unwrap_arguments& arguments)
 {
   check_unwrap_arguments(arguments);
   Terminal terminal(arguments.quiet);
-  const Loaded_mesh loaded = load_mesh(arguments);
+  const Loaded_mesh loaded = load_mesh(arguments, true);
   const auto& components = loaded.examination.components;
   if (arguments.geometry_image > 0 && components.size() > 1)
     throw Invalid_input_error("a geometry image holds one component; the mesh has "
                               + std::to_string(components.size()));
   const std::vector<Cut_options> cuts = cut_options(arguments, loaded, terminal);
+  const std::vector<Unwrap_options> options = unwrap_options(arguments, loaded, cuts);
   std::vector<Unwrapping> unwrapped;
-  std::vector<Unwrap_options> options;
   std::vector<Cut> found;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     terminal.begin_component(i, components.size());
-    options.push_back(unwrap_options(arguments, cuts[i]));
-    if (components.size() > 1) { options.back().filled = 0; } // they fill the square together
-    unwrapped.push_back(unwrap_surface(components[i].surface, options.back()));
+    unwrapped.push_back(unwrap_surface(components[i].surface, options[i]));
     found.push_back(std::move(unwrapped.back().cut));
   }
   Cut_result result = assemble_cut(loaded, std::move(found), cuts);
@@ -467,9 +487,11 @@ int run_unwrap(const Unwrap_arguments& arguments)
   }
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
   const std::string caption = caption_of(result, unwrapped);
+  std::vector<std::string> notes = notes_of(unwrapped, warnings, report);
+  if (has_given_seams(arguments)) { notes.push_back(describe_completion(options, result.cuts)); }
   if (verification) { add_unwrapping(out, arguments, loaded, result, unwrapped, texture, caption); }
   return end_run(arguments, verification, out, terminal,
-                 {loaded.examination.repairs, notes_of(unwrapped, warnings, report),
+                 {loaded.examination.repairs, notes,
                   caption + (verification ? "; no face is turned over" : "")
                     + (warnings.empty() ? "" : "; WARNING: stretched to more than 2"),
                   missed});
@@ -494,6 +516,34 @@ void add_picture_options(CLI::App& command, Unwrap_arguments& a)
     ->check(CLI::Range(5, 16384))
     ->type_name("N")
     ->group("Pictures");
+}
+
+// What says how a cut is found, and so does not go with seams that are given.
+void exclude_ways_to_cut(CLI::App& command, CLI::Option& option)
+{
+  for (const char* other : {"--method", "--bases", "--tighten", "--refine-where-needed", "--join", "--links",
+                            "--source", "--field", "--values", "--eigenfunction", "--weights", "--extrema", "--minimum",
+                            "--maximum", "--from", "--prefer", "--vertex-weights", "--levels", "--direction"})
+  {
+    option.excludes(command.get_option(other));
+  }
+}
+
+void add_seam_options(CLI::App& command, Unwrap_arguments& a)
+{
+  exclude_ways_to_cut(
+    command, *command
+                .add_option("--seams", a.seams,
+                            "cut along seams that are given, and no more than makes discs of what is between them:"
+                            "\n  uv, where the texture coordinates of MESH differ"
+                            "\n  sharp:ANGLE, edges of more than so many degrees"
+                            "\n  FILE, a text file with a path on each line, vertices of MESH (from 0)")
+                ->type_name("uv|sharp:ANGLE|FILE")
+                ->group("Charts"));
+  exclude_ways_to_cut(command, *add_choice<Chart_per>(
+                                  command, "--chart-per", [&a](Chart_per per) { a.chart_per = per; }, "",
+                                  "cut between parts of MESH, likewise")
+                                  ->group("Charts"));
 }
 
 void add_chart_options(CLI::App& command, Unwrap_arguments& a)
@@ -553,6 +603,7 @@ Command add_unwrap(CLI::App& app)
     ->excludes("--max-stretch");
   add_cut_options(*command, *a, Tightening::CURVES);
   add_chart_options(*command, *a);
+  add_seam_options(*command, *a);
   add_picture_options(*command, *a);
   return {command, [a, command] {
             note_cut_options(*command, *a);

@@ -65,4 +65,21 @@ std::vector<Surface_piece> pieces_of(const Triangle_surface& s)
   return pieces;
 }
 
+Index vertex_of_whole(const Surface_piece& piece, const Refined_surface& s, const Opened_surface& opened, Index v)
+{
+  const Index w = piece.vertices[v], n = s.number_of_vertices();
+  return w < n ? w : opened.copy_of[w - n];
+}
+
+Surface_curve carry_to_whole(const Surface_piece& piece, const Refined_surface& s, const Opened_surface& opened,
+                             Surface_curve curve)
+{
+  for (Curve_point& p : curve.points)
+  {
+    if (p.is_vertex()) { p.vertex = vertex_of_whole(piece, s, opened, p.vertex); }
+    else { p.halfedge = halfedge_of_whole(piece, p.halfedge); }
+  }
+  return curve;
+}
+
 } // namespace meridian

@@ -4,6 +4,8 @@
 #include <meridian/base/Stage_runner.h>
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
+#include <meridian/cut/By_contours.h>
+#include <meridian/cut/complete_cut.h>
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/cut/find_arc.h>
 #include <meridian/cut/open_cut.h>
@@ -69,26 +71,43 @@ bool is_good_start(const Triangle_surface& disc, const std::vector<Plane_point>&
   return is_roomy(border, at) && is_one_to_one(disc, at);
 }
 
+// Whether `complete_cut()` does what is chosen about a cut.
+bool completes_seams(const Cut_options& o)
+{
+  return std::holds_alternative<By_contours>(o.method) && o.tightening != Tightening::GRAPH
+         && o.link_domain == Link_domain::SURFACE && o.links.source < 0 && !o.refine_where_needed;
+}
+
+Completion_options completion_options(const Cut_options& o)
+{
+  return {o.on_edges, o.links.bifurcations, o.tighten_options, o.solvers, o.observer};
+}
+
 } // namespace
 
 Chart_divider::Chart_divider(const Triangle_surface& root, const Unwrap_options& options)
-  : m_root(root), m_options(options), m_wanted(wanted_excess(options))
+  : m_root(root), m_options(options), m_wanted(wanted_excess(options)),
+    m_extends(options.seams.empty() || options.charts == 0 || options.max_stretch)
 {
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Invalid_input_error(message); }
   };
   forbid(options.charts < 0,
          "a surface is divided into one chart or more, or, if 0 is asked for, as many as are needed");
-  forbid(options.image_size > 0, "a geometry image is one chart; charts = 1");
+  forbid(options.image_size > 0, "a geometry image is one chart; charts = 1, and no seams");
   forbid(options.family != 1 || options.stretch_weight > 0,
-         "cuts are compared, and links varied, for one chart; charts = 1");
-  forbid(!options.map.polygon.empty(), "a polygon for the border is for one chart; charts = 1");
+         "cuts are compared, and links varied, for one chart; charts = 1, and no seams");
+  forbid(!options.map.polygon.empty(), "a polygon for the border is for one chart; charts = 1, and no seams");
+  forbid(!options.seams.empty() && !completes_seams(options.cut),
+         "seams that are given are completed by contours and links over the surface, and stay where they are: no other "
+         "method, domain or source of links, and no tightening of the graph");
   if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
 }
 
 Unwrapping Chart_divider::run()
 {
-  m_result.cut = cut_to_disc(m_root, m_options.cut);
+  m_result.cut = m_options.seams.empty() ? cut_to_disc(m_root, m_options.cut)
+                                         : complete_cut(m_root, m_options.seams, completion_options(m_options.cut));
   Stage_times seconds;
   const Stage_runner run{m_options.cut.observer, seconds};
   m_progress = [&](double done) { run.progress(Stage::PARAMETERIZE, done); };
@@ -96,10 +115,10 @@ Unwrapping Chart_divider::run()
     update_charts();
     // limbs first: where much is stretched, faces overlap that will not
     constexpr double much = 0.2;
-    while (excess() > much && extend(std::max(much, m_wanted))) {}
+    while (m_extends && excess() > much && extend(std::max(much, m_wanted))) {}
     do {
       divide();
-    } while (extend(m_wanted));
+    } while (m_extends && extend(m_wanted));
     map_charts();
     note("divided into " + std::to_string(m_charts.size()) + " charts");
     divide_further();
@@ -235,7 +254,10 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   for (std::size_t i : which)
   {
     Chart& chart = m_charts[i];
-    const auto is_good = [&](const Surface_curve& a) { return has_room(carry_over(chart, a)); };
+    const auto carry_over = [&](Surface_curve a) {
+      return carry_to_whole(chart.piece, m_result.cut.surface, m_result.cut.opened, std::move(a));
+    };
+    const auto is_good = [&](const Surface_curve& a) { return has_room(carry_over(a)); };
     const auto find = [&] { return find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges, is_good); };
     Surface_curve arc = find();
     if (arc.points.empty() && !chart.apart.empty()) // what overlaps is too small to be parted
@@ -244,7 +266,7 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
       arc = find();
     }
     chart.is_whole = arc.points.empty();
-    if (!chart.is_whole) { arcs.push_back(carry_over(chart, std::move(arc))); }
+    if (!chart.is_whole) { arcs.push_back(carry_over(std::move(arc))); }
   }
   if (arcs.empty()) { return false; }
   Insertion done = insert_curves(m_root, m_result.cut.surface, arcs);
@@ -269,21 +291,6 @@ bool Chart_divider::has_room(const Surface_curve& arc) const
     };
     return is_apart(s.source(p.halfedge)) && is_apart(s.target(p.halfedge));
   });
-}
-
-Surface_curve Chart_divider::carry_over(const Chart& chart, Surface_curve curve) const
-{
-  const Index n = m_result.cut.surface.number_of_vertices();
-  for (Curve_point& p : curve.points)
-  {
-    if (p.is_vertex())
-    {
-      const Index v = chart.piece.vertices[p.vertex];
-      p.vertex = v < n ? v : m_result.cut.opened.copy_of[v - n];
-    }
-    else { p.halfedge = 3 * chart.piece.faces[p.halfedge / 3] + p.halfedge % 3; }
-  }
-  return curve;
 }
 
 void Chart_divider::map_charts()

@@ -8,7 +8,8 @@ namespace meridian {
 
 Unwrapping unwrap_surface(const Triangle_surface& root, const Unwrap_options& options)
 {
-  return options.charts == 1 ? internal::Unwrapper(root, options).run() : internal::Chart_divider(root, options).run();
+  const bool is_one_chart = options.charts == 1 && options.seams.empty();
+  return is_one_chart ? internal::Unwrapper(root, options).run() : internal::Chart_divider(root, options).run();
 }
 
 } // namespace meridian

@@ -15,6 +15,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <sstream>
 
 using namespace meridian;
@@ -401,6 +402,12 @@ BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture
                                    "--geometry-image 33 --on-edges",
                                    "--geometry-image 33 --parameterization tutte",
                                    "--geometry-image 33 --border circle",
+                                   "--seams sharp:0",
+                                   "--seams sharp:x",
+                                   "--seams sharp:30 --method generators",
+                                   "--chart-per group --source 3",
+                                   "--seams sharp:30 --family 3",
+                                   "--seams uv --geometry-image 33",
                                    "--png board.jpg",
                                    "--distortion faces.obj",
                                    "--stretch-weight 2",
@@ -427,6 +434,110 @@ BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture
   BOOST_TEST(r.status == 1);
   BOOST_TEST(contains(r.error, "OBJ"));
   BOOST_TEST(number_of_files() == 1u);
+}
+
+namespace {
+
+// A cube of four quads on each side, with a group for each side and a material for each half. Objects are not named.
+std::string cube_with_parts()
+{
+  std::ostringstream out;
+  const auto number = [](int x, int y, int z) { return 9 * x + 3 * y + z + 1; };
+  out << "mtllib cube.mtl\n";
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 3; ++z) { out << "v " << x << ' ' << y << ' ' << z << '\n'; }
+  for (int side = 0; side < 6; ++side)
+  {
+    out << "g side" << side << "\nusemtl " << (side < 3 ? "stone" : "wood\t") << '\n';
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j)
+      {
+        out << 'f';
+        for (int k = 0; k < 4; ++k)
+        {
+          const int turn = side % 2 ? k : 3 - k, a = i + (turn == 1 || turn == 2), b = j + (turn == 2 || turn == 3);
+          std::array<int, 3> p{};
+          p[side / 2] = side % 2 ? 2 : 0;
+          p[(side / 2 + 1) % 3] = a;
+          p[(side / 2 + 2) % 3] = b;
+          out << ' ' << number(p[0], p[1], p[2]);
+        }
+        out << '\n';
+      }
+  }
+  return out.str();
+}
+
+} // namespace
+
+BOOST_FIXTURE_TEST_CASE(charts_are_the_parts_that_a_file_names, Fixture)
+{
+  write("cube.obj", cube_with_parts());
+  const auto charts_with = [&](const std::string& options) {
+    const auto r = meridian("unwrap cube.obj -o uv.obj --report report.json " + options);
+    BOOST_TEST(r.status == 0, options + r.error);
+    BOOST_TEST(meridian("verify cube.obj uv.obj").status == 0);
+    BOOST_TEST(json("report.json")["components"][0]["cut"]["new_vertices"] == 0);
+    return json("report.json")["components"][0]["parameterization"]["charts"].get<int>();
+  };
+  BOOST_TEST(charts_with("--chart-per group") == 6);
+  BOOST_TEST(charts_with("--chart-per smooth-angle") == 6);
+  BOOST_TEST(charts_with("--seams sharp:89") == 6);
+  BOOST_TEST(charts_with("--seams sharp:91 --on-edges") == 1); // there are none
+  BOOST_TEST(charts_with("--chart-per material") == 2);
+  for (const std::string part : {"object", "smoothing"})
+  {
+    const auto r = meridian("unwrap cube.obj -o none.obj --chart-per " + part);
+    BOOST_TEST(r.status == 1);
+    BOOST_TEST(contains(r.error, "names no"), r.error);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(seams_of_texture_coordinates_give_the_same_charts_again, Fixture)
+{
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --on-edges --charts 3 --report report.json").status == 0);
+  const auto first = json("report.json")["components"][0];
+  const auto r = meridian("unwrap uv.obj -o again.obj --seams uv --report report.json");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_TEST(contains(r.out, "no more is cut"), r.out);
+  const auto again = json("report.json")["components"][0];
+  BOOST_TEST(again["parameterization"]["charts"] == 3);
+  BOOST_TEST(again["cut"]["edges"] == first["cut"]["edges"]);
+  BOOST_TEST(again["cut"]["seams"].size() > 0u);
+  BOOST_TEST(meridian("verify uv.obj again.obj").status == 0);
+  const auto without = meridian("unwrap mesh.obj -o again.obj --seams uv");
+  BOOST_TEST(without.status == 1);
+  BOOST_TEST(contains(without.error, "has no texture coordinates"), without.error);
+}
+
+BOOST_FIXTURE_TEST_CASE(seams_on_paths_of_a_file_are_kept_and_completed, Fixture)
+{
+  write("torus.obj", obj(sample::torus(8, 6)));
+  const auto run = [&](const std::string& paths, const std::string& options = "") {
+    write("seams.txt", paths);
+    return meridian("unwrap torus.obj -o uv.obj --report report.json --seams seams.txt " + options);
+  };
+  const auto around = run("# around the tube\n0 1 2 3 4 5 0\n");
+  BOOST_TEST(around.status == 0, around.error);
+  BOOST_TEST(contains(around.out, "given: 6 edges; boundaries are joined by links, 1"), around.out);
+  const auto open = run("0 1\n1 2 3 # goes on");
+  BOOST_TEST(open.status == 0, open.error);
+  BOOST_TEST(contains(open.out, "given: 3 edges; the handles that they leave are cut along meridian_0;"), open.out);
+  BOOST_TEST(contains(run("0 1 2", "--on-edges").out, "are cut along path_0"));
+  const auto expect = [&](const std::string& paths, const std::string& message) {
+    const auto r = run(paths);
+    BOOST_TEST(r.status == 1, paths);
+    BOOST_TEST(contains(r.error, message), r.error);
+  };
+  expect("0 1\n0 3 15\n", "2 steps of its paths are no edges of the mesh, the first from vertex 0 to vertex 3");
+  expect("0 1\n2\n", "line 2: a path of one vertex");
+  expect("0 48\n", "vertex 48 is none of the mesh");
+  expect("0 -1\n", "vertex -1 is none of the mesh");
+  expect("# none\n", "no paths");
+  expect("0 x\n", "expected a vertex, found 'x'");
+  write("seams.txt", "0 1 2\n");
+  BOOST_TEST(meridian("unwrap torus.obj -o uv.obj --seams seams.txt --report seams.txt").status == 64);
 }
 
 #ifdef MERIDIAN_ASSIMP

@@ -13,12 +13,15 @@
 #include <meridian/proof/verify_unwrapping.h>
 #include <meridian/result/assemble_result.h>
 #include <meridian/result/recount.h>
+#include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/pieces.h>
 #include <meridian/unwrap/Unwrapping.h>
 #include <meridian/unwrap/pack_unwrappings.h>
 
+#include <algorithm>
+#include <array>
 #include <set>
 #include <vector>
 
@@ -204,5 +207,162 @@ BOOST_AUTO_TEST_CASE(what_is_for_one_chart_is_refused)
   BOOST_CHECK_THROW(pipeline::unwrap(s, options), Invalid_input_error);
   options.stretch_weight = 0;
   options.charts = -1;
+  BOOST_CHECK_THROW(pipeline::unwrap(s, options), Invalid_input_error);
+}
+
+namespace {
+
+Unwrapping with_seams(const Triangle_surface& s, const std::vector<Index>& seams, bool on_edges = false, int charts = 1)
+{
+  Unwrap_options options;
+  options.seams = seams;
+  options.cut.on_edges = on_edges;
+  options.charts = charts;
+  return pipeline::unwrap(s, options);
+}
+
+// The edges between faces of which one is of the kind and one is not.
+template <class Kind> std::vector<Index> edges_between(const Triangle_surface& s, const Kind& is_inside)
+{
+  std::vector<Index> edges;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.opposite[h] >= 0 && is_inside(s.face(h)) && !is_inside(s.face(s.opposite[h]))) { edges.push_back(h); }
+  }
+  return edges;
+}
+
+Point centre(const Triangle_surface& s, Index f)
+{
+  const auto& t = s.triangles[f];
+  return (1. / 3) * (s.points[t[0]] + s.points[t[1]] + s.points[t[2]]);
+}
+
+// How much of the length of edges of the root is seam, on the refined surface; and how much of other edges is.
+std::array<double, 2> seams_on_edges(const Triangle_surface& s, const Cut& cut, const std::vector<Index>& edges)
+{
+  std::set<std::array<Index, 2>> given;
+  for (Index h : edges) { given.insert({std::min(s.source(h), s.target(h)), std::max(s.source(h), s.target(h))}); }
+  std::array<double, 2> sum{0, 0};
+  for (const auto& seam : cut.opened.seams)
+  {
+    const Index h = seam[0];
+    std::array<Index, 2> ends;
+    std::array<double, 2> t;
+    const bool is_on_edge = on_common_root_edge(cut.surface.origin(cut.surface.source(h)),
+                                                cut.surface.origin(cut.surface.target(h)), ends, t);
+    sum[is_on_edge && given.count(ends) > 0 ? 0 : 1] += cut.surface.length(h);
+  }
+  return sum;
+}
+
+double length_of(const Triangle_surface& s, const std::vector<Index>& edges)
+{
+  double sum = 0;
+  for (Index h : edges) { sum += s.length(h); }
+  return sum;
+}
+
+} // namespace
+
+// Seams stay where they are, whatever is needed to complete them, and everything comes out as discs.
+BOOST_DATA_TEST_CASE(seams_that_are_given_stay, data::make({false, true}), on_edges)
+{
+  const Triangle_surface torus = sample::torus(24, 12), sphere = sample::sphere(3), plate = sample::plate(3, 3),
+                         open = sample::punctured(sample::plate(2, 3), {30});
+  struct Case
+  {
+    const Triangle_surface* surface;
+    std::vector<Index> seams;
+    std::size_t charts;
+    std::size_t handles; // that the seams leave
+  };
+  const auto right_of = [](const Triangle_surface& s, double x) {
+    return edges_between(s, [&s, x](Index f) { return centre(s, f)[0] > x; });
+  };
+  const auto inside_of = [](const Triangle_surface& s, Index first) { // a star
+    const std::set<Index> star{first, s.face(s.opposite[3 * first]), s.face(s.opposite[3 * first + 1])};
+    return edges_between(s, [star](Index f) { return star.count(f) > 0; });
+  };
+  const std::vector<Case> cases{{&sphere, right_of(sphere, 0.1), 2, 0},
+                                {&sphere, {5}, 1, 0},
+                                {&sphere, {0, 40, 200}, 1, 0},
+                                {&torus, right_of(torus, 0.01), 2, 0},
+                                {&torus, {7}, 1, 1},
+                                {&torus, inside_of(torus, 11), 2, 1},
+                                {&plate, inside_of(plate, 20), 2, 3},
+                                {&plate, {3, 100, 300, 301}, 1, 3},
+                                {&open, inside_of(open, 200), 2, 2}};
+  for (const Case& c : cases)
+  {
+    const Triangle_surface& s = *c.surface;
+    const Unwrapping u = with_seams(s, c.seams, on_edges);
+    const auto sum = seams_on_edges(s, u.cut, c.seams);
+    BOOST_TEST_CONTEXT(&c - cases.data())
+    {
+      BOOST_TEST(sum[0] == length_of(s, c.seams), boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(u.charts == c.charts);
+      BOOST_TEST((!on_edges || u.cut.surface.number_of_vertices() == s.number_of_vertices()));
+      const auto meridians = curves_of(u.cut, Curve_kind::MERIDIAN), paths = curves_of(u.cut, Curve_kind::PATH);
+      BOOST_TEST(meridians.size() == (on_edges ? 0 : c.handles));
+      BOOST_TEST(paths.empty() == (!on_edges || c.handles == 0));
+      BOOST_TEST(!curves_of(u.cut, Curve_kind::SEAM).empty());
+      BOOST_TEST(u.extended == 0u);
+      check(s, u);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(seams_that_suffice_are_all_that_is_cut)
+{
+  const Triangle_surface sphere = sample::sphere(3);
+  const auto equator = edges_between(sphere, [&](Index f) { return centre(sphere, f)[2] > 0; });
+  const Unwrapping halves = with_seams(sphere, equator);
+  BOOST_TEST(halves.cut.curves.size() == 1u); // one curve, that was given
+  BOOST_TEST(seams_on_edges(sphere, halves.cut, equator)[1] == 0);
+  BOOST_TEST(halves.cut.surface.number_of_vertices() == sphere.number_of_vertices());
+
+  std::vector<Index> all; // each face a chart
+  for (Index h = 0; h < sphere.number_of_halfedges(); ++h) { all.push_back(h); }
+  const Unwrapping faces = with_seams(sphere, all);
+  BOOST_TEST(faces.charts == static_cast<std::size_t>(sphere.number_of_faces()));
+  BOOST_TEST(faces.map.distortion.stretch_l2 < 1 + 1e-6);
+  check(sphere, faces);
+}
+
+BOOST_AUTO_TEST_CASE(charts_between_seams_are_divided_further_if_that_is_asked_for)
+{
+  const Triangle_surface s = sample::dumbbell(6, 32);
+  const auto seams = edges_between(s, [&](Index f) { return centre(s, f)[0] > 0.1; });
+  BOOST_TEST_REQUIRE(!seams.empty());
+  const Unwrapping few = with_seams(s, seams), five = with_seams(s, seams, false, 5),
+                   automatic = with_seams(s, seams, false, 0);
+  BOOST_TEST(five.charts == 5u);
+  BOOST_TEST(automatic.map.distortion.stretch_l2 <= default_max_stretch_of_charts);
+  for (const Unwrapping* u : {&few, &five, &automatic})
+  {
+    BOOST_TEST(seams_on_edges(s, u->cut, seams)[0] == length_of(s, seams), boost::test_tools::tolerance(1e-9));
+    check(s, *u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(seams_that_cannot_be_are_refused)
+{
+  const Triangle_surface s = sample::punctured(sample::torus(24, 12), {30});
+  const Index border = boundary_loops(s).front().front(), inside = s.number_of_halfedges() - 1;
+  BOOST_TEST_REQUIRE(s.opposite[inside] >= 0);
+  for (const Index wrong : {Index(-1), s.number_of_halfedges(), border})
+  {
+    BOOST_CHECK_THROW(with_seams(s, {inside, wrong}), Invalid_input_error);
+  }
+  Unwrap_options options;
+  options.seams = {inside};
+  options.cut.method = By_tree_cotree();
+  BOOST_CHECK_THROW(pipeline::unwrap(s, options), Invalid_input_error);
+  options.cut = {};
+  options.cut.tightening = Tightening::GRAPH;
+  BOOST_CHECK_THROW(pipeline::unwrap(s, options), Invalid_input_error);
+  options.cut = {};
+  options.image_size = 33;
   BOOST_CHECK_THROW(pipeline::unwrap(s, options), Invalid_input_error);
 }

@@ -26,18 +26,20 @@ enum class Curve_kind
   FLOW_LINE, ///< of a field, from a saddle down
   LINK,      ///< between boundaries
   ARC,       ///< from border to border through a disc, which it divides
+  SEAM,      ///< that was given, from node to node
   PATH       ///< of the graph, where its curves are none of these: with methods that cut edges and `Tightening::GRAPH`
 };
 
 /// the names of `Curve_kind`.
 template <> struct Names<Curve_kind>
 {
-  static constexpr std::array<Named_value<Curve_kind>, 6> table{{
+  static constexpr std::array<Named_value<Curve_kind>, 7> table{{
     {Curve_kind::MERIDIAN, "meridian", "closed, around a handle"},
     {Curve_kind::LONGITUDE, "longitude", "closed, along a handle"},
     {Curve_kind::FLOW_LINE, "flow_line", "of a field, from a saddle down"},
     {Curve_kind::LINK, "link", "between boundaries"},
     {Curve_kind::ARC, "arc", "through a disc, which it divides"},
+    {Curve_kind::SEAM, "seam", "that was given"},
     {Curve_kind::PATH, "path", "a path of the cut graph"},
   }};
 };

@@ -70,8 +70,6 @@ private:
   std::vector<std::size_t> most_stretched(double enough, double& sum) const;
   // Whether an arc's points are far enough from those that there are for doubles to tell them apart.
   bool has_room(const Surface_curve& arc) const;
-  // A curve on a chart, on the whole surface.
-  Surface_curve carry_over(const Chart& chart, Surface_curve curve) const;
 
   // Puts the maps of all charts on the fields of a chessboard, at one scale.
   void join_maps();
@@ -81,6 +79,7 @@ private:
   const Triangle_surface& m_root;
   Unwrap_options m_options;
   const double m_wanted; // the square of the L2 stretch less 1
+  const bool m_extends;  // whether the cut may be extended for that
   Unwrapping m_result;
   std::vector<Chart> m_charts;
   Progress m_progress; // told how much is mapped
