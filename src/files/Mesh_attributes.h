@@ -47,12 +47,12 @@ struct Named_parts
 // What a mesh file holds beside points and polygons. What it has not is empty; a corner that has none has -1.
 struct Mesh_attributes
 {
-  std::vector<Plane_point> texture;           // coordinates,
-  std::vector<std::int32_t> texture_of;       // and those of each corner, as `Polygon_soup` counts them
-  std::vector<Point> normals;                 // and the same
-  std::vector<std::int32_t> normal_of;        //
-  std::vector<std::array<double, 3>> colours; // of each point
-  std::vector<std::string> libraries;         // of materials
+  std::vector<Plane_point> texture;     // coordinates,
+  std::vector<std::int32_t> texture_of; // and which of them each corner has, as `Polygon_soup` counts corners
+  std::vector<Point> normals;           // and the same of normals
+  std::vector<std::int32_t> normal_of;
+  std::vector<Point> colours;         // of each point: red, green and blue, from 0 to 1
+  std::vector<std::string> libraries; // of materials
   std::array<Named_parts, number_of<Part_kind>> parts;
 
   const Named_parts& of(Part_kind kind) const { return parts[static_cast<std::size_t>(kind)]; }

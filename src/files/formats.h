@@ -19,7 +19,7 @@ struct Mesh_attributes;
 Polygon_soup read_off(const std::string& bytes);
 Polygon_soup read_obj(const std::string& bytes, Mesh_attributes* attributes = nullptr);
 Polygon_soup read_stl(const std::string& bytes);
-Polygon_soup read_ply(const std::string& bytes);
+Polygon_soup read_ply(const std::string& bytes, Mesh_attributes* attributes = nullptr);
 Polygon_soup read_vtp(const std::string& bytes);
 
 // Adds the triangles of a strip; every other one is turned.

@@ -58,7 +58,7 @@ Polygon_soup parse(Mesh_format format, const std::string& bytes, Mesh_attributes
   case Mesh_format::OFF: return read_off(bytes);
   case Mesh_format::OBJ: return read_obj(bytes, attributes);
   case Mesh_format::STL: return read_stl(bytes);
-  case Mesh_format::PLY: return read_ply(bytes);
+  case Mesh_format::PLY: return read_ply(bytes, attributes);
   case Mesh_format::VTP: return read_vtp(bytes);
   }
   return {};

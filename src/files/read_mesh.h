@@ -21,7 +21,7 @@ struct File_error : std::runtime_error
 // Reads OFF, OBJ, STL, PLY or VTP, or gzip of these, told apart by the name's ending.
 //
 // Points of STL files are welded: the vertices are the distinct coordinates in order of first appearance, with -0 = 0.
-// No other format is ever welded. `attributes`, if given, receives what else the file holds, of OBJ files.
+// No other format is ever welded. `attributes`, if given, receives what else an OBJ or PLY file holds.
 Polygon_soup read_mesh(const std::string& path, Mesh_attributes* attributes = nullptr);
 
 // The whole file, unpacked if it is gzip.

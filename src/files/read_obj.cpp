@@ -54,7 +54,7 @@ public:
   // What follows the coordinates of point `index`.
   void read_colour(std::size_t index)
   {
-    std::array<double, 3> colour;
+    Point colour;
     if (!read_numbers(colour)) { return; }
     m_attributes.colours.resize(index, {1, 1, 1});
     m_attributes.colours.push_back(colour);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesh_attributes.h"
 #include "Scanner.h"
 #include "formats.h"
 
@@ -172,10 +173,7 @@ public:
       m_is_strip(element.name == "tristrips")
   {
     find_properties();
-    if (m_is_vertex && (m_axis[0] < 0 || m_axis[1] < 0 || m_axis[2] < 0))
-    {
-      throw File_error("PLY: the vertices have no x, y and z");
-    }
+    if (m_is_vertex && !m_has[0]) { throw File_error("PLY: the vertices have no x, y and z"); }
     if (has_faces() && m_corners < 0)
     {
       throw File_error("PLY: the element '" + element.name + "' has no list 'vertex_indices'");
@@ -184,43 +182,53 @@ public:
 
   bool has_faces() const { return m_is_face || m_is_strip; }
 
-  void read(Body& body, Polygon_soup& soup)
+  void read(Body& body, Polygon_soup& soup, Mesh_attributes* attributes)
   {
     for (std::int64_t i = 0; i < m_element.count && !m_element.properties.empty(); ++i)
     {
-      Point point{0, 0, 0};
+      std::array<Point, 3> of_vertex{}; // as `m_has`
       for (std::size_t k = 0; k < m_element.properties.size(); ++k)
       {
         if (m_element.properties[k].is_list) { read_list(body, i, k, soup); }
-        else { read_number(body, k, point); }
+        else { read_number(body, k, of_vertex); }
       }
-      if (m_is_vertex) { soup.points.push_back(point); }
+      if (!m_is_vertex) { continue; }
+      soup.points.push_back(of_vertex[0]);
+      if (attributes && m_has[1]) { attributes->normals.push_back(of_vertex[1]); }
+      if (attributes && m_has[2]) { attributes->colours.push_back(of_vertex[2]); }
     }
   }
 
 private:
-  // Which properties are the coordinates and the corners.
+  // Which properties are the coordinates, normals, colours and the corners.
   void find_properties()
   {
-    for (std::size_t i = 0; i < m_element.properties.size(); ++i)
+    const std::array<std::string, 9> names{"x", "y", "z", "nx", "ny", "nz", "red", "green", "blue"};
+    std::array<int, 3> found{0, 0, 0}; // a bit for each
+    m_place.assign(m_element.properties.size(), -1);
+    for (std::size_t k = 0; k < m_element.properties.size(); ++k)
     {
-      const Property& p = m_element.properties[i];
-      for (int k = 0; k < 3; ++k)
+      const Property& p = m_element.properties[k];
+      const auto place = static_cast<int>(std::find(names.begin(), names.end(), p.name) - names.begin());
+      if (!p.is_list && place < 9)
       {
-        if (p.name == std::string(1, "xyz"[k]) && !p.is_list) { m_axis[k] = static_cast<int>(i); }
+        m_place[k] = place;
+        found[place / 3] |= 1 << place % 3;
       }
-      if (p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index")) { m_corners = static_cast<int>(i); }
+      if (p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index")) { m_corners = static_cast<int>(k); }
     }
+    for (std::size_t i = 0; i < 3; ++i) { m_has[i] = found[i] == 7; }
   }
 
-  // Reads property `k`, a number, into `point` if it is a coordinate.
-  void read_number(Body& body, std::size_t k, Point& point) const
+  // Reads property `k`, a number, into the place that it has in `of_vertex`. Colours in whole numbers end at 1.
+  void read_number(Body& body, std::size_t k, std::array<Point, 3>& of_vertex) const
   {
-    const double x = body.value(m_element.properties[k].type);
-    for (int a = 0; a < 3; ++a)
-    {
-      if (m_axis[a] == static_cast<int>(k)) { point[a] = x; }
-    }
+    const Type type = m_element.properties[k].type;
+    const double x = body.value(type);
+    if (m_place[k] < 0) { return; }
+    const int i = m_place[k] / 3;
+    of_vertex[i][m_place[k] % 3] =
+      i < 2 || type.kind == 'f' ? x : x / (std::ldexp(1., 8 * static_cast<int>(type.size)) - 1);
   }
 
   // Reads property `k` of element `i`, a list, and adds faces if it names their corners.
@@ -242,14 +250,15 @@ private:
 
   const Element& m_element;
   bool m_is_vertex, m_is_face, m_is_strip;
-  std::array<int, 3> m_axis{-1, -1, -1}; // properties; -1 if there is none
+  std::vector<int> m_place;    // of each property: a coordinate, 3 + one of a normal, 6 + one of a colour, or -1
+  std::array<bool, 3> m_has{}; // coordinates, normals, colours
   int m_corners = -1;
   std::vector<std::int32_t> m_list;
 };
 
 } // namespace
 
-Polygon_soup read_ply(const std::string& bytes)
+Polygon_soup read_ply(const std::string& bytes, Mesh_attributes* attributes)
 {
   const std::size_t header_end = bytes.find("end_header");
   if (bytes.compare(0, 3, "ply") != 0 || header_end == std::string::npos)
@@ -267,8 +276,9 @@ Polygon_soup read_ply(const std::string& bytes)
   {
     Element_reader reader(element);
     has_faces |= reader.has_faces();
-    reader.read(body, soup);
+    reader.read(body, soup, attributes);
   }
+  if (attributes && !attributes->normals.empty()) { attributes->normal_of = soup.corners; }
   if (!has_faces && !soup.points.empty()) { throw File_error("PLY: the file has points and no faces"); }
   return soup;
 }

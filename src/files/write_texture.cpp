@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "write_texture.h"
 
+#include "Attribute_writer.h"
+#include "Mesh_attributes.h"
 #include "Mesh_format.h"
 #include "Scanner.h"
 #include "Text.h"
@@ -104,20 +106,36 @@ template <std::size_t N> std::array<double, N> read_coordinates(Scanner& in, con
 } // namespace
 
 std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
-                             const std::vector<Plane_point>& texture, const std::string& material_library)
+                             const std::vector<Plane_point>& texture, const Mesh_attributes& attributes,
+                             const std::string& material_library)
 {
   Text out;
+  Attribute_writer more(input, attributes, mesh);
   if (!material_library.empty()) { out << "mtllib " << material_library << '\n'; }
+  else
+  {
+    for (const std::string& library : attributes.libraries) { out << "mtllib " << library << '\n'; }
+  }
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     const auto& p = mesh.points[v];
-    if (mesh.copy_of[v] < 0) { out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n'; }
+    if (mesh.copy_of[v] >= 0) { continue; }
+    out << "v " << p[0] << ' ' << p[1] << ' ' << p[2];
+    more.write_colour(out, v);
+    out << '\n';
   }
   for (const auto& t : texture) { out << "vt " << t[0] << ' ' << t[1] << '\n'; }
+  more.write_normals(out);
   if (!material_library.empty()) { out << "usemtl checkerboard\n"; }
-  const auto write_face = [&](const auto& corners) {
+  const auto write_face = [&](std::int32_t polygon, const auto& corners) {
+    const std::vector<std::size_t> normals = more.normals(polygon, corners);
+    auto normal = normals.begin();
     out << 'f';
-    for (std::int32_t v : corners) { out << ' ' << (mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]) + 1 << '/' << v + 1; }
+    for (std::int32_t v : corners)
+    {
+      out << ' ' << (mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]) + 1 << '/' << v + 1;
+      if (normal != normals.end()) { out << '/' << *normal++; }
+    }
     out << '\n';
   };
   std::vector<std::int32_t> corners;
@@ -125,13 +143,14 @@ std::string format_unwrapped(const Polygon_soup& input, const Result_mesh& mesh,
   {
     const std::int32_t polygon = mesh.face_of[first];
     while (last < mesh.faces.size() && mesh.face_of[last] == polygon) { ++last; }
+    more.write_parts(out, polygon, material_library.empty());
     if (is_whole(input, static_cast<std::size_t>(polygon), mesh, texture, first, last, corners))
     {
-      write_face(corners);
+      write_face(polygon, corners);
     }
     else
     {
-      for (std::size_t f = first; f < last; ++f) { write_face(mesh.faces[f]); }
+      for (std::size_t f = first; f < last; ++f) { write_face(polygon, mesh.faces[f]); }
     }
   }
   return out.take();

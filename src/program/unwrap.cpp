@@ -377,7 +377,8 @@ void add_unwrapping(files::Output_files& out, const Unwrap_arguments& arguments,
   namespace fs = std::filesystem;
   const Result_mesh& mesh = result.assembled.mesh;
   const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
-  out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, fs::path(material).filename().string()));
+  out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, loaded.attributes,
+                                                 fs::path(material).filename().string()));
   out.add(files::map_path(arguments.out, arguments.map),
           files::format_map(mesh, files::Result_kind::UNWRAPPING, arguments.map));
   const auto faces = distortion_of_faces(result.assembled, texture, unwrapped);
@@ -435,11 +436,34 @@ std::vector<Unwrap_options> unwrap_options(const Unwrap_arguments& arguments, co
   return options;
 }
 
+// Names material libraries from where the result is, which may be another folder than that of the mesh.
+void move_libraries(const Unwrap_arguments& arguments, std::vector<std::string>& libraries)
+{
+  namespace fs = std::filesystem;
+  const auto folder_of = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)).parent_path(); };
+  const fs::path from = folder_of(arguments.mesh), to = folder_of(arguments.out);
+  if (from == to) { return; }
+  const auto move = [&](const std::string& name) { return (from / name).lexically_relative(to).generic_string(); };
+  for (std::string& library : libraries)
+  {
+    if (fs::exists(from / library))
+    {
+      library = move(library);
+      continue;
+    }
+    std::istringstream names(library); // of several
+    std::string moved;
+    for (std::string name; names >> name;) { moved += (moved.empty() ? "" : " ") + move(name); }
+    library = moved;
+  }
+}
+
 int run_unwrap(const Unwrap_arguments& arguments)
 {
   check_unwrap_arguments(arguments);
   Terminal terminal(arguments.quiet);
-  const Loaded_mesh loaded = load_mesh(arguments, true);
+  Loaded_mesh loaded = load_mesh(arguments, true);
+  move_libraries(arguments, loaded.attributes.libraries);
   const auto& components = loaded.examination.components;
   if (arguments.geometry_image > 0 && components.size() > 1)
     throw Invalid_input_error("a geometry image holds one component; the mesh has "

@@ -1,6 +1,7 @@
 #include "support/pipeline.h"
 #include "support/unwrapped_samples.h"
 
+#include "files/Mesh_attributes.h"
 #include "files/write_texture.h"
 
 #include <meridian/base/Polygon_soup.h>
@@ -57,8 +58,8 @@ BOOST_AUTO_TEST_CASE(polygons_are_kept_unless_a_seam_divides_them)
   const Texture texture{{0, 0}, {1, 0}, {1, 1}, {0, 0.1}};
   const std::string points = "v 0 0 0\nv 1 0 0\nv 1 1 -0\nv 0 0.1 1e-300\n",
                     places = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 0.1\n";
-  BOOST_TEST(files::format_unwrapped(soup, whole, texture, "") == points + places + "f 4/4 1/1 2/2 3/3\n");
-  BOOST_TEST(files::format_unwrapped(soup, whole, texture, "m.mtl")
+  BOOST_TEST(files::format_unwrapped(soup, whole, texture, {}, "") == points + places + "f 4/4 1/1 2/2 3/3\n");
+  BOOST_TEST(files::format_unwrapped(soup, whole, texture, {}, "m.mtl")
              == "mtllib m.mtl\n" + points + places + "usemtl checkerboard\nf 4/4 1/1 2/2 3/3\n");
 
   Result_mesh divided = whole;
@@ -67,7 +68,7 @@ BOOST_AUTO_TEST_CASE(polygons_are_kept_unless_a_seam_divides_them)
   divided.faces[1] = {4, 5, 3};
   Texture more = texture;
   more.insert(more.end(), {{0.5, 0.25}, {0.125, 1}});
-  BOOST_TEST(files::format_unwrapped(soup, divided, more, "")
+  BOOST_TEST(files::format_unwrapped(soup, divided, more, {}, "")
              == points + places + "vt 0.5 0.25\nvt 0.125 1\nf 1/1 2/2 3/3\nf 1/5 3/6 4/4\n");
 
   // Only one end of the diagonal has two places; a triangle is missing; a triangle is turned; the fan is another; there
@@ -82,7 +83,7 @@ BOOST_AUTO_TEST_CASE(polygons_are_kept_unless_a_seam_divides_them)
     Result_mesh other = divided;
     other.faces = faces;
     other.face_of.assign(faces.size(), 0);
-    BOOST_TEST(count(files::format_unwrapped(soup, other, more, ""), "\nf ") == faces.size());
+    BOOST_TEST(count(files::format_unwrapped(soup, other, more, {}, ""), "\nf ") == faces.size());
   }
   BOOST_TEST(files::format_material("c.png") == "newmtl checkerboard\nKd 1 1 1\nmap_Kd c.png\n");
 }
@@ -92,7 +93,7 @@ struct Written_obj : Obj_folder
   // Reading undoes writing, to the last bit, whatever the coordinates are, packed or not.
   void check(const Polygon_soup& soup, const Result_mesh& mesh, std::size_t lines, const Texture& texture) const
   {
-    const std::string text = files::format_unwrapped(soup, mesh, texture, "x.mtl");
+    const std::string text = files::format_unwrapped(soup, mesh, texture, {}, "x.mtl");
     BOOST_TEST(count(text, "\nf ") == lines);
     for (const char* name : {"a.obj", "a.obj.gz"})
     {

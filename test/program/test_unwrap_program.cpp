@@ -5,10 +5,12 @@
 #include "support/sample_surfaces.h"
 #include "support/written_meshes.h"
 
+#include "files/Mesh_attributes.h"
 #include "files/png.h"
 #include "files/read_mesh.h"
 #include "files/write_mesh.h"
 
+#include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
@@ -16,6 +18,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <filesystem>
 #include <sstream>
 
 using namespace meridian;
@@ -438,7 +441,8 @@ BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture
 
 namespace {
 
-// A cube of four quads on each side, with a group for each side and a material for each half. Objects are not named.
+// A cube of four quads on each side, with a group and a normal for each side and a material for each half; colours are
+// half of the coordinates. Objects are not named.
 std::string cube_with_parts()
 {
   std::ostringstream out;
@@ -446,9 +450,15 @@ std::string cube_with_parts()
   out << "mtllib cube.mtl\n";
   for (int x = 0; x < 3; ++x)
     for (int y = 0; y < 3; ++y)
-      for (int z = 0; z < 3; ++z) { out << "v " << x << ' ' << y << ' ' << z << '\n'; }
+      for (int z = 0; z < 3; ++z)
+      {
+        out << "v " << x << ' ' << y << ' ' << z << ' ' << x / 2. << ' ' << y / 2. << ' ' << z / 2. << '\n';
+      }
   for (int side = 0; side < 6; ++side)
   {
+    const int out_of = side % 2 ? 1 : -1;
+    out << "vn " << (side / 2 == 0) * out_of << ' ' << (side / 2 == 1) * out_of << ' ' << (side / 2 == 2) * out_of
+        << '\n';
     out << "g side" << side << "\nusemtl " << (side < 3 ? "stone" : "wood\t") << '\n';
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j)
@@ -461,7 +471,7 @@ std::string cube_with_parts()
           p[side / 2] = side % 2 ? 2 : 0;
           p[(side / 2 + 1) % 3] = a;
           p[(side / 2 + 2) % 3] = b;
-          out << ' ' << number(p[0], p[1], p[2]);
+          out << ' ' << number(p[0], p[1], p[2]) << "//" << side + 1;
         }
         out << '\n';
       }
@@ -494,18 +504,107 @@ BOOST_FIXTURE_TEST_CASE(charts_are_the_parts_that_a_file_names, Fixture)
   }
 }
 
+// What stands in the file is linear on its polygons, so it is known at new vertices too.
+BOOST_FIXTURE_TEST_CASE(normals_colours_and_parts_are_kept, Fixture)
+{
+  write("cube.obj", cube_with_parts());
+  std::filesystem::create_directory(folder() / "below");
+  for (const std::string options : {"", "--on-edges", "--charts 5", "--png board.png"})
+  {
+    BOOST_TEST_REQUIRE(meridian("unwrap cube.obj -o below/uv.obj --quiet " + options).status == 0);
+    files::Mesh_attributes found;
+    const Polygon_soup soup = files::read_mesh((folder() / "below/uv.obj").string(), &found);
+    BOOST_TEST_REQUIRE(found.colours.size() == soup.points.size());
+    for (std::size_t v = 0; v < soup.points.size(); ++v)
+    {
+      BOOST_TEST(norm(found.colours[v] - 0.5 * soup.points[v]) < 1e-12);
+    }
+    const auto &groups = found.of(files::Part_kind::GROUP), &materials = found.of(files::Part_kind::MATERIAL);
+    BOOST_TEST(groups.names.size() == 6u);
+    const bool is_own = options != "--png board.png";
+    BOOST_TEST((materials.names
+                == (is_own ? std::vector<std::string>{"stone", "wood"} : std::vector<std::string>{"checkerboard"})));
+    BOOST_TEST((found.libraries == std::vector<std::string>{is_own ? "../cube.mtl" : "uv.mtl"}));
+    for (std::size_t p = 0; p < soup.number_of_polygons(); ++p)
+    {
+      const int side = groups.names[groups.of[p]].back() - '0';
+      if (is_own) { BOOST_TEST(materials.names[materials.of[p]] == (side < 3 ? "stone" : "wood")); }
+      for (std::size_t k = soup.begin[p]; k < soup.begin[p + 1]; ++k)
+      {
+        BOOST_TEST(soup.points[soup.corners[k]][side / 2] == (side % 2 ? 2 : 0));
+        BOOST_TEST_REQUIRE(found.normal_of[k] >= 0);
+        BOOST_TEST(found.normals[found.normal_of[k]][side / 2] == (side % 2 ? 1 : -1));
+      }
+    }
+    BOOST_TEST(meridian("verify cube.obj below/uv.obj").status == 0);
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(normals_between_those_of_a_file_are_of_length_one, Fixture)
+{
+  const Triangle_surface s = sample::sphere(2);
+  std::ostringstream out; // as PLY, with colours in whole numbers
+  out
+    << "ply\nformat ascii 1.0\nelement vertex " << s.number_of_vertices()
+    << "\nproperty float x\nproperty float y\nproperty float z\nproperty float nx\nproperty float ny\nproperty float nz"
+       "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face "
+    << s.number_of_faces() << "\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Point& p : s.points)
+  {
+    for (int i = 0; i < 6; ++i) { out << p[i % 3] << ' '; }
+    out << "255 51 0\n";
+  }
+  for (const auto& t : s.triangles) { out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n'; }
+  write("ball.ply", out.str());
+  BOOST_TEST_REQUIRE(meridian("unwrap ball.ply -o uv.obj --charts 4 --quiet").status == 0);
+  files::Mesh_attributes found;
+  const Polygon_soup soup = files::read_mesh((folder() / "uv.obj").string(), &found);
+  BOOST_TEST(soup.points.size() > s.points.size());
+  BOOST_TEST(found.normals.size() > s.points.size());
+  for (std::size_t k = 0; k < soup.corners.size(); ++k)
+  {
+    BOOST_TEST_REQUIRE(found.normal_of[k] >= 0);
+    const Point n = found.normals[found.normal_of[k]], p = soup.points[soup.corners[k]];
+    BOOST_TEST(norm(n) == 1, boost::test_tools::tolerance(1e-5));
+    BOOST_TEST(norm(n - (1 / norm(p)) * p) < 0.05);
+  }
+  for (const Point& c : found.colours) { BOOST_TEST(norm(c - Point{1, 0.2, 0}) < 1e-12); }
+}
+
+BOOST_FIXTURE_TEST_CASE(malformed_attributes_do_no_harm, Fixture)
+{
+  write("a.obj", "o\ng  two words \nv 0 0 0 1\nv 1 0 0 0.5 0.5 x\nv 0 1 0 1 0 0\nv 0 0 1\nvt x\nvt 0.5\nvn 1 2\n"
+                 "s off\nf 1/9 3/-1 2/x\nf 1//7 2//1 4//\nf 2/ 3 4/1/1\nf 1 4 3\n");
+  files::Mesh_attributes found;
+  const Polygon_soup soup = files::read_mesh((folder() / "a.obj").string(), &found);
+  BOOST_TEST(soup.number_of_polygons() == 4u);
+  BOOST_TEST((found.colours == std::vector<Point>{{1, 1, 1}, {1, 1, 1}, {1, 0, 0}, {1, 1, 1}}));
+  BOOST_TEST((found.texture == std::vector<Plane_point>{{0, 0}, {0.5, 0}}));
+  BOOST_TEST((found.texture_of == std::vector<std::int32_t>{-1, 1, -1, -1, -1, -1, -1, -1, 0, -1, -1, -1}));
+  BOOST_TEST((found.normal_of == std::vector<std::int32_t>{-1, -1, -1, -1, 0, -1, -1, -1, 0, -1, -1, -1}));
+  BOOST_TEST((found.of(files::Part_kind::GROUP).names == std::vector<std::string>{"two words"}));
+  BOOST_TEST((found.of(files::Part_kind::OBJECT).names == std::vector<std::string>{""}));
+  BOOST_TEST(found.of(files::Part_kind::MATERIAL).of.empty());
+  BOOST_TEST(meridian("unwrap a.obj -o uv.obj --quiet").status == 0);
+  BOOST_TEST(meridian("verify a.obj uv.obj").status == 0);
+}
+
 BOOST_FIXTURE_TEST_CASE(seams_of_texture_coordinates_give_the_same_charts_again, Fixture)
 {
-  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --on-edges --charts 3 --report report.json").status == 0);
-  const auto first = json("report.json")["components"][0];
-  const auto r = meridian("unwrap uv.obj -o again.obj --seams uv --report report.json");
-  BOOST_TEST(r.status == 0, r.error);
-  BOOST_TEST(contains(r.out, "no more is cut"), r.out);
-  const auto again = json("report.json")["components"][0];
-  BOOST_TEST(again["parameterization"]["charts"] == 3);
-  BOOST_TEST(again["cut"]["edges"] == first["cut"]["edges"]);
-  BOOST_TEST(again["cut"]["seams"].size() > 0u);
-  BOOST_TEST(meridian("verify uv.obj again.obj").status == 0);
+  write("ball.obj", obj(sample::sphere(3))); // in one chart its seam has two ends inside
+  for (const std::string mesh : {"mesh.obj --charts 3", "ball.obj --charts 1"})
+  {
+    BOOST_TEST_REQUIRE(meridian("unwrap -o uv.obj --on-edges --report report.json " + mesh).status == 0);
+    const auto first = json("report.json")["components"][0];
+    const auto r = meridian("unwrap uv.obj -o again.obj --seams uv --report report.json");
+    BOOST_TEST(r.status == 0, r.error);
+    BOOST_TEST(contains(r.out, "no more is cut"), r.out);
+    const auto again = json("report.json")["components"][0];
+    BOOST_TEST(again["parameterization"]["charts"] == first["parameterization"]["charts"]);
+    BOOST_TEST(again["cut"]["edges"] == first["cut"]["edges"]);
+    BOOST_TEST(again["cut"]["seams"].size() > 0u);
+    BOOST_TEST(meridian("verify uv.obj again.obj").status == 0);
+  }
   const auto without = meridian("unwrap mesh.obj -o again.obj --seams uv");
   BOOST_TEST(without.status == 1);
   BOOST_TEST(contains(without.error, "has no texture coordinates"), without.error);
