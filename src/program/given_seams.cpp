@@ -6,6 +6,7 @@
 
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/examine_surface.h>
+#include <meridian/surface/measures.h>
 
 #include <algorithm>
 #include <array>
@@ -40,26 +41,13 @@ Index point_of(const Loaded_mesh& loaded, const Surface_component& c, Index v)
   return p < n ? p : loaded.examination.added_vertex_of[p - n];
 }
 
-Point normal_of(const Triangle_surface& s, Index f)
-{
-  const auto& t = s.triangles[f];
-  return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
-}
-
-// Whether the faces at an edge meet at more than an angle in radians; one without area meets at none.
-bool is_sharp(const Triangle_surface& s, Index h, double angle)
-{
-  const Point a = normal_of(s, s.face(h)), b = normal_of(s, s.face(s.opposite[h]));
-  return std::atan2(norm(cross(a, b)), dot(a, b)) > angle;
-}
-
 // Whether an edge of a component, given by a halfedge, is a seam.
 using Is_seam = std::function<bool(const Surface_component&, Index)>;
 
 Is_seam is_sharper_than(double degrees)
 {
   const double angle = degrees * std::acos(-1.) / 180;
-  return [angle](const Surface_component& c, Index h) { return is_sharp(c.surface, h, angle); };
+  return [angle](const Surface_component& c, Index h) { return exterior_dihedral_angle(c.surface, h) > angle; };
 }
 
 // Where texture coordinates of the file differ on the two sides.

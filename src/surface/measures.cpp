@@ -10,6 +10,16 @@
 
 namespace meridian {
 
+double exterior_dihedral_angle(const Triangle_surface& s, Index h)
+{
+  const auto normal = [&](Index f) {
+    const auto& t = s.triangles[f];
+    return cross(s.points[t[1]] - s.points[t[0]], s.points[t[2]] - s.points[t[0]]);
+  };
+  const Point a = normal(s.face(h)), b = normal(s.face(s.opposite[h]));
+  return std::atan2(norm(cross(a, b)), dot(a, b));
+}
+
 double corner_angle(const Triangle_surface& s, Index h)
 {
   const Point a = s.points[s.target(h)] - s.points[s.source(h)], b = s.points[s.apex(h)] - s.points[s.source(h)];

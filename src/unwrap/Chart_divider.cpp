@@ -18,6 +18,7 @@
 #include <meridian/result/recount.h>
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
+#include <meridian/surface/seams.h>
 #include <meridian/unwrap/extend_cut.h>
 #include <meridian/unwrap/plan_extensions.h>
 
@@ -78,6 +79,16 @@ bool completes_seams(const Cut_options& o)
          && o.link_domain == Link_domain::SURFACE && o.links.source < 0 && !o.refine_where_needed;
 }
 
+std::vector<Index> sharp_edges(const Triangle_surface& s, double angle)
+{
+  std::vector<Index> edges;
+  for (Index h = 0; h < s.number_of_halfedges(); ++h)
+  {
+    if (s.opposite[h] > h && exterior_dihedral_angle(s, h) > angle) { edges.push_back(h); }
+  }
+  return edges;
+}
+
 Completion_options completion_options(const Cut_options& o)
 {
   return {o.on_edges, o.links.bifurcations, o.tighten_options, o.solvers, o.observer};
@@ -106,8 +117,7 @@ Chart_divider::Chart_divider(const Triangle_surface& root, const Unwrap_options&
 
 Unwrapping Chart_divider::run()
 {
-  m_result.cut = m_options.seams.empty() ? cut_to_disc(m_root, m_options.cut)
-                                         : complete_cut(m_root, m_options.seams, completion_options(m_options.cut));
+  cut();
   Stage_times seconds;
   const Stage_runner run{m_options.cut.observer, seconds};
   m_progress = [&](double done) { run.progress(Stage::PARAMETERIZE, done); };
@@ -129,6 +139,25 @@ Unwrapping Chart_divider::run()
   m_result.cut.seconds.insert(m_result.cut.seconds.end(), seconds.begin(), seconds.end());
   check_cut("into charts");
   return std::move(m_result);
+}
+
+void Chart_divider::cut()
+{
+  if (!m_options.seams.empty())
+  {
+    m_result.cut = complete_cut(m_root, m_options.seams, completion_options(m_options.cut));
+    return;
+  }
+  m_result.cut = cut_to_disc(m_root, m_options.cut);
+  if (!is_automatic() || !completes_seams(m_options.cut)) { return; }
+  // seams along sharp edges cost little where they are not longer than arcs would make it: what is between is all but
+  // flat
+  constexpr double sharp = 30 / 180. * 3.14159265358979, longer = 1.55;
+  const double most = longer * m_result.cut.length;
+  const std::vector<Index> edges = sharp_edges(m_root, sharp);
+  if (edges.empty() || length_of_edges(m_root, edges) > most) { return; }
+  Cut other = complete_cut(m_root, edges, completion_options(m_options.cut));
+  if (other.length <= most) { m_result.cut = std::move(other); }
 }
 
 void Chart_divider::update_charts()

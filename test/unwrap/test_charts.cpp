@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -344,6 +345,25 @@ BOOST_AUTO_TEST_CASE(charts_between_seams_are_divided_further_if_that_is_asked_f
     BOOST_TEST(seams_on_edges(s, u->cut, seams)[0] == length_of(s, seams), boost::test_tools::tolerance(1e-9));
     check(s, *u);
   }
+}
+
+// A string of beads, closed: its six narrow places are creases, and shorter than the way around.
+BOOST_AUTO_TEST_CASE(charts_end_at_sharp_edges_where_those_are_short)
+{
+  Triangle_surface beads = sample::torus(120, 16);
+  for (Point& p : beads.points)
+  {
+    const double phi = std::atan2(p[1], p[0]), big = 3;
+    const Point middle{big * std::cos(phi), big * std::sin(phi), 0};
+    p = middle + (0.2 + std::abs(std::sin(3 * phi))) * (p - middle);
+  }
+  Unwrap_options options;
+  options.charts = 0;
+  const Unwrapping u = pipeline::unwrap(beads, options);
+  BOOST_TEST(curves_of(u.cut, Curve_kind::SEAM).size() >= 6u);
+  BOOST_TEST(u.charts >= 6u);
+  check(beads, u);
+  BOOST_TEST(curves_of(pipeline::unwrap(sample::torus(40, 20), options).cut, Curve_kind::SEAM).empty());
 }
 
 BOOST_AUTO_TEST_CASE(seams_that_cannot_be_are_refused)

@@ -18,6 +18,13 @@ namespace meridian {
 double corner_angle(const Triangle_surface& s, Index h);
 
 /// \ingroup PkgMeridianSurface
+/// \returns the angle between the normals of the two faces at an edge, in radians: 0 where they are in one plane, or one
+///          of them has no area
+/// \param s the surface
+/// \param h a halfedge inside
+double exterior_dihedral_angle(const Triangle_surface& s, Index h);
+
+/// \ingroup PkgMeridianSurface
 /// \returns the area of the faces
 /// \param s the surface
 double area(const Triangle_surface& s);

@@ -40,6 +40,8 @@ private:
     bool is_whole = false;     // no arc divides it
   };
 
+  // Cuts it into one disc, or along seams.
+  void cut();
   // Takes the surface apart. Charts that are as they were keep what is known of them.
   void update_charts();
   void unfold(Chart& chart) const;
