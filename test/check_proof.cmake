@@ -2,7 +2,7 @@
 # src/program/verify.cpp, the readers of files and the sources of the proof include, and so on.
 cmake_minimum_required(VERSION 3.24)
 file(GLOB todo ${ROOT}/src/proof/*.cpp)
-foreach(stem Text formats read_mesh read_ply read_result read_text_formats read_values read_vtp)
+foreach(stem Text formats read_mesh read_obj read_ply read_result read_text_formats read_values read_vtp)
   foreach(end h cpp)
     if(EXISTS ${ROOT}/src/files/${stem}.${end})
       list(APPEND todo ${ROOT}/src/files/${stem}.${end})

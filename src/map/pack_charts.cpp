@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +23,17 @@ namespace meridian {
 namespace internal {
 
 namespace {
+
+// The area of faces, whichever way they are turned.
+double covered_area(const Chart& chart)
+{
+  double sum = 0;
+  for (const auto& t : *chart.triangles)
+  {
+    sum += std::abs(cross(chart.at[t[1]] - chart.at[t[0]], chart.at[t[2]] - chart.at[t[0]])) / 2;
+  }
+  return sum;
+}
 
 // A chart in one direction, its lowest and leftmost points at 0.
 struct Turned_chart
@@ -50,10 +63,10 @@ public:
   {
     for (std::size_t i = 0; i < charts.size(); ++i)
     {
-      const double image = area_of(*charts[i].triangles, charts[i].at);
+      const double image = covered_area(charts[i]);
       if (image > 0 && charts[i].area > 0) { m_scale[i] = std::sqrt(charts[i].area / image); }
       if (m_may_turn[i]) { m_base[i] = longer_side_of_smallest_rectangle(charts[i].at); }
-      m_area += m_scale[i] * m_scale[i] * std::max(image, 0.);
+      m_area += m_scale[i] * m_scale[i] * image;
     }
     sort_charts();
   }
@@ -61,6 +74,7 @@ public:
   // The points of all charts in the unit square.
   std::vector<std::vector<Plane_point>> pack()
   {
+    if (m_options.density > 0) { return place_at_density(); }
     if (m_charts.size() == 1) { return place_one(); }
     // the gap between charts is known once the square is
     const int gap = std::max(gap_for(cells), 1);
@@ -140,32 +154,90 @@ private:
     return all;
   }
 
+  // A square that charts are put into, and the same on a coarser grid.
+  struct Square
+  {
+    Square(int size, int gap) : atlas(size, gap), coarse(size / coarser, 0) {}
+    Atlas atlas, coarse;
+  };
+
+  // Puts a chart into a square, if it has a place for it.
+  std::vector<Plane_point> place(std::size_t chart, int gap, Square& square) const
+  {
+    const std::vector<Plane_point> all = directions(chart);
+    const double unit = m_unit * m_scale[chart];
+    const Plane_point first = turn(m_charts[chart].at, all.front(), unit).extent;
+    const bool is_small = std::min(first[0], first[1]) < small;
+    Found best;
+    if (is_small || all.size() == 1) { best = find_best(square.atlas, chart, all, unit); }
+    else
+    {
+      const Plane_point direction = find_best(square.coarse, chart, all, unit / coarser).direction;
+      best = find_best(square.atlas, chart, {direction}, unit);
+    }
+    if (!best.place) { return {}; }
+    square.atlas.take(best.cells, *best.place);
+    square.coarse.take(coarsened(best.cells, *best.place, gap, coarser),
+                       {0, 0, (square.atlas.extent() + coarser - 1) / coarser});
+    const Plane_point at{static_cast<double>(best.place->x), static_cast<double>(best.place->y)};
+    for (Plane_point& p : best.at) { p = p + at; }
+    return std::move(best.at);
+  }
+
   // Nothing if there is no place for one.
   std::vector<std::vector<Plane_point>> place_all(int gap) const
   {
-    Atlas atlas(2 * cells, gap), coarse(2 * cells / coarser, 0);
+    Square square(2 * cells, gap);
     std::vector<std::vector<Plane_point>> placed(m_charts.size());
     for (std::size_t i : m_order)
     {
-      const std::vector<Plane_point> all = directions(i);
-      const double unit = m_unit * m_scale[i];
-      const Plane_point first = turn(m_charts[i].at, all.front(), unit).extent;
-      const bool is_small = std::min(first[0], first[1]) < small;
-      Found best;
-      if (is_small || all.size() == 1) { best = find_best(atlas, i, all, unit); }
-      else
-      {
-        const Plane_point direction = find_best(coarse, i, all, unit / coarser).direction;
-        best = find_best(atlas, i, {direction}, unit);
-      }
-      if (!best.place) { return {}; }
-      atlas.take(best.cells, *best.place);
-      coarse.take(coarsened(best.cells, *best.place, gap, coarser), {0, 0, (atlas.extent() + coarser - 1) / coarser});
-      placed[i] = std::move(best.at);
-      const Plane_point at{static_cast<double>(best.place->x), static_cast<double>(best.place->y)};
-      for (Plane_point& p : placed[i]) { p = p + at; }
+      placed[i] = place(i, gap, square);
+      if (placed[i].empty()) { return {}; }
     }
     return placed;
+  }
+
+  // The same in as many squares as that takes, in the size that charts shall have.
+  std::vector<std::vector<Plane_point>> place_at_density()
+  {
+    m_unit = m_options.density * cells / m_options.resolution;
+    const int gap = std::max(gap_for(cells), 1);
+    std::vector<Square> squares;
+    std::vector<std::vector<Plane_point>> placed(m_charts.size());
+    for (std::size_t i : m_order)
+    {
+      std::size_t tile = 0;
+      for (; placed[i].empty(); ++tile)
+      {
+        const bool is_new = tile == squares.size();
+        if (is_new && tile == static_cast<std::size_t>(m_options.tiles)) { refuse_density(i); }
+        if (is_new) { squares.emplace_back(cells, gap); }
+        placed[i] = place(i, gap, squares[tile]);
+        if (is_new && placed[i].empty()) { refuse_density(i); }
+      }
+      --tile;
+      for (Plane_point& p : placed[i])
+      {
+        p = {std::min(p[0] / cells, 1.) + static_cast<double>(tile % 10),
+             std::min(p[1] / cells, 1.) + static_cast<double>(tile / 10)};
+      }
+    }
+    return placed;
+  }
+
+  [[noreturn]] void refuse_density(std::size_t chart) const
+  {
+    const Plane_point extent = turn(m_charts[chart].at, m_base[chart], m_scale[chart] * m_options.density).extent;
+    const int side = m_options.resolution, tiles = m_options.tiles;
+    std::ostringstream message;
+    message << "at " << m_options.density << " texels along a unit of length, " << tiles
+            << (tiles == 1 ? " texture of " : " textures of ") << side << " x " << side
+            << " texels cannot hold all charts: there is no room for one of " << std::ceil(extent[0]) << " x "
+            << std::ceil(extent[1]) << ", and all of them cover " << std::setprecision(3)
+            << m_area * m_options.density * m_options.density / side / side
+            << " textures without what is between; a lower density, a higher resolution, more tiles or more charts "
+               "would help";
+    throw Invalid_input_error(message.str());
   }
 
   // A chart in the direction and at the place that are best.
@@ -241,12 +313,22 @@ double pack_charts(std::vector<Chart>& charts, const Pack_options& options)
     placed = internal::Chart_packer(charts, may_turn, options).pack();
   }
   double filled = 0;
+  int tiles = 1;
   for (std::size_t i = 0; i < charts.size(); ++i)
   {
     charts[i].at = std::move(placed[i]);
-    filled += area_of(*charts[i].triangles, charts[i].at);
+    filled += internal::covered_area(charts[i]);
+    tiles = std::max(tiles, count_tiles(charts[i].at));
   }
-  return filled;
+  return filled / tiles;
+}
+
+int count_tiles(const std::vector<Plane_point>& at)
+{
+  const auto number = [](double x) { return std::max(static_cast<int>(std::ceil(x)) - 1, 0); };
+  int last = 0;
+  for (const Plane_point& p : at) { last = std::max(last, number(p[0]) + 10 * number(p[1])); }
+  return last + 1;
 }
 
 } // namespace meridian

@@ -26,6 +26,7 @@
 #include <meridian/result/name_curves.h>
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/examine_surface.h>
+#include <meridian/surface/measures.h>
 #include <meridian/unwrap/Unwrapping.h>
 #include <meridian/unwrap/geometry_image.h>
 #include <meridian/unwrap/measure_round_trip.h>
@@ -67,6 +68,9 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(a.charts != 1 && (a.family > 1 || a.stretch_weight > 0),
          "--family and --stretch-weight compare cuts into one chart; leave out --charts");
   forbid(4 * a.packing.padding > a.packing.resolution, "--padding is more than a quarter of --resolution");
+  forbid(a.packing.tiles > 1 && !(a.layout.empty() && a.view.empty()),
+         "--svg and --view show one texture; leave out --tiles");
+  forbid(a.packing.density > 0 && a.geometry_image > 0, "a geometry image fills its square; leave out --density");
   const bool has_seams = has_given_seams(a);
   forbid(a.seams.compare(0, 6, "sharp:") == 0 && !is_kind_of_seam(a.seams),
          "--seams sharp:ANGLE takes an angle in degrees, more than 0 and less than 180");
@@ -140,6 +144,15 @@ std::size_t count_flipped_in_single_precision(const Result_mesh& mesh, std::vect
     for (double& x : p) { x = static_cast<float>(x); }
   }
   return find_flipped_faces(mesh.faces, texture).size();
+}
+
+// Texels along a unit of length of the mesh, in the mean.
+double density_of(const Unwrap_arguments& a, const Loaded_mesh& loaded, const Result_mesh& mesh,
+                  const std::vector<Plane_point>& texture)
+{
+  double on_surface = 0;
+  for (const Surface_component& c : loaded.examination.components) { on_surface += c.unit * c.unit * area(c.surface); }
+  return on_surface > 0 ? a.packing.resolution * std::sqrt(area_of(mesh.faces, texture) / on_surface) : 0;
 }
 
 Json report_steps(const std::vector<Unwrap_step>& steps, double unit)
@@ -482,7 +495,7 @@ int run_unwrap(const Unwrap_arguments& arguments)
   const std::vector<Plane_point> texture = pack(arguments, loaded, unwrapped, result.assembled);
   const double gap = arguments.packing.padding / arguments.packing.resolution;
   verify(result, terminal, [&](const Assembled_result& assembled) {
-    return verify_unwrapping(loaded.soup, assembled.mesh, texture, gap);
+    return verify_unwrapping(loaded.soup, assembled.mesh, texture, gap, arguments.packing.tiles);
   });
   const Result_mesh& mesh = result.assembled.mesh;
   const Verification& verification = result.verification;
@@ -496,7 +509,9 @@ int run_unwrap(const Unwrap_arguments& arguments)
               {"components", result.components},
               {"texture",
                {{"coordinates", texture.size()},
-                {"coverage", area_of(mesh.faces, texture)},
+                {"coverage", area_of(mesh.faces, texture) / count_tiles(texture)},
+                {"tiles", count_tiles(texture)},
+                {"density", density_of(arguments, loaded, mesh, texture)},
                 {"flipped_in_single_precision", count_flipped_in_single_precision(mesh, texture)}}},
               {"seconds", report_seconds(loaded, result)},
               {"failures", verification.failures},
@@ -583,6 +598,18 @@ void add_chart_options(CLI::App& command, Unwrap_arguments& a)
     ->check(CLI::Range(16, 65536))
     ->type_name("N")
     ->capture_default_str()
+    ->group("Charts");
+  CLI::Option* density =
+    command
+      .add_option("--density", a.packing.density, "texels along a unit of length of MESH; otherwise as many as fit")
+      ->check(CLI::PositiveNumber)
+      ->type_name("D")
+      ->group("Charts");
+  command.add_option("--tiles", a.packing.tiles, "with --density: textures that there may be, in the order of UDIM")
+    ->check(CLI::Range(1, 100))
+    ->type_name("N")
+    ->capture_default_str()
+    ->needs(density)
     ->group("Charts");
   command.add_option("--padding", a.packing.padding, "texels between charts, at least")
     ->check(CLI::Range(0., 1024.))

@@ -13,6 +13,7 @@
 #include <meridian/proof/verify_unwrapping.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -23,7 +24,8 @@ namespace {
 
 Verification verify_texture(const Polygon_soup& input, const files::Result_files& result)
 {
-  Verification v = verify_unwrapping(input, result.mesh, result.texture);
+  constexpr int most_tiles = 100; // that have a number
+  Verification v = verify_unwrapping(input, result.mesh, result.texture, 0, most_tiles);
   // Texture coordinates stand in the order of the vertices, those of copies after them.
   std::vector<std::int32_t> misplaced;
   for (std::size_t i = 0; i < result.vertex_of.size() && i < result.mesh.copy_of.size(); ++i)
@@ -46,6 +48,20 @@ Verification verify_texture(const Polygon_soup& input, const files::Result_files
   return v;
 }
 
+// The tiles of the texture up to the last that has a coordinate.
+int count_tiles(const std::vector<Plane_point>& texture)
+{
+  constexpr int columns = 10;
+  int last = 0;
+  for (const Plane_point& p : texture)
+  {
+    const int column = std::max(static_cast<int>(std::ceil(p[0])), 1) - 1,
+              row = std::max(static_cast<int>(std::ceil(p[1])), 1) - 1;
+    last = std::max(last, columns * row + column);
+  }
+  return last + 1;
+}
+
 void print_summary(const Verification& v, const files::Result_files& result)
 {
   std::int64_t genus = 0, loops = 0, discs = 0;
@@ -65,7 +81,12 @@ void print_summary(const Verification& v, const files::Result_files& result)
     {
       std::cout << ", each a disc; glued along " << result.mesh.seams.size() << " seam edges they are the input again";
     }
-    if (v && result.kind == files::Result_kind::UNWRAPPING) { std::cout << "; no face is turned over in the plane"; }
+    if (v && result.kind == files::Result_kind::UNWRAPPING)
+    {
+      std::cout << "; no face is turned over in the plane";
+      const int tiles = count_tiles(result.texture);
+      if (tiles > 1) { std::cout << ", which is " << tiles << " tiles"; }
+    }
   }
   else if (v) { std::cout << ", with a basis of first homology on each"; }
   std::cout << '\n';

@@ -6,6 +6,7 @@
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -121,15 +122,19 @@ bool Layout_verifier::are_nearer(Id a, Id b, double distance) const
   return squared(Exact_kernel()) < exact * exact;
 }
 
+std::array<double, 2> Layout_verifier::tile_of(Id s) const
+{
+  const Plane_point &a = at(s), &b = at(next_side(s));
+  return {std::floor(std::min(a[0], b[0])), std::floor(std::min(a[1], b[1]))};
+}
+
 std::vector<Id> Layout_verifier::find_near(double distance) const
 {
   std::vector<Box> all = boxes(distance / 2);
   std::vector<Id> near;
   CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box& a, const Box& b) {
-    if (m_piece[a.side / 3] != m_piece[b.side / 3] && are_nearer(a.side, b.side, distance))
-    {
-      near.insert(near.end(), {a.side / 3, b.side / 3});
-    }
+    const bool are_apart = m_piece[a.side / 3] != m_piece[b.side / 3] && tile_of(a.side) == tile_of(b.side);
+    if (are_apart && are_nearer(a.side, b.side, distance)) { near.insert(near.end(), {a.side / 3, b.side / 3}); }
   });
   return near;
 }

@@ -22,13 +22,20 @@ namespace {
 
 using Texture = std::vector<Plane_point>;
 
-// Not so for what is not a number.
-bool is_in_unit_square(const std::array<std::int32_t, 3>& face, const Texture& texture)
+// Whether a face lies in one of the first tiles. Not so for what is not a number.
+bool is_in_one_tile(const std::array<std::int32_t, 3>& face, const Texture& texture, int tiles)
 {
-  return std::all_of(face.begin(), face.end(), [&](std::int32_t v) {
-    const Plane_point& p = texture[static_cast<std::size_t>(v)];
-    return p[0] >= 0 && p[0] <= 1 && p[1] >= 0 && p[1] <= 1;
-  });
+  constexpr int columns = 10;
+  const auto at = [&](std::size_t k) -> const Plane_point& { return texture[static_cast<std::size_t>(face[k])]; };
+  for (int t = 0; t < tiles; ++t)
+  {
+    const double x = t % columns, y = t / columns; // NOLINT(bugprone-integer-division): a row
+    const auto is_inside = [&](const Plane_point& p) {
+      return p[0] >= x && p[0] <= x + 1 && p[1] >= y && p[1] <= y + 1;
+    };
+    if (is_inside(at(0)) && is_inside(at(1)) && is_inside(at(2))) { return true; }
+  }
+  return false;
 }
 
 // Whether a face is turned over or has no area in the plane: its corners do not turn left.
@@ -49,7 +56,7 @@ bool is_flipped(const std::array<std::int32_t, 3>& face, const Texture& texture)
 } // namespace verification
 
 Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result,
-                               const std::vector<Plane_point>& texture, double gap)
+                               const std::vector<Plane_point>& texture, double gap, int tiles)
 {
   Verification found = verify_cut(input, result);
   if (texture.size() != result.points.size())
@@ -70,10 +77,15 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
   std::vector<std::int32_t> flipped, outside;
   for (std::size_t f = 0; f < result.faces.size(); ++f)
   {
-    if (!verification::is_in_unit_square(result.faces[f], texture)) { outside.push_back(static_cast<std::int32_t>(f)); }
+    if (!verification::is_in_one_tile(result.faces[f], texture, tiles))
+    {
+      outside.push_back(static_cast<std::int32_t>(f));
+    }
     else if (verification::is_flipped(result.faces[f], texture)) { flipped.push_back(static_cast<std::int32_t>(f)); }
   }
-  list("faces have texture coordinates outside of the unit square", outside);
+  list(tiles == 1 ? "faces have texture coordinates outside of the unit square"
+                  : "faces are not in one tile of the texture",
+       outside);
   list("faces are turned over or have no area in the plane", flipped);
   if (!outside.empty() || !flipped.empty()) { return found; }
   const verification::Layout_verifier layout(result, texture);

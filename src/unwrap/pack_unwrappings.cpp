@@ -26,7 +26,9 @@ double pack_unwrappings(std::vector<Unwrapping>& unwrapped, const std::vector<do
       for (Index v : piece.vertices) { charts.back().at.push_back(unwrapped[i].map.at[v]); }
     }
   }
-  const double filled = pack_charts(charts, options);
+  Pack_options scaled = options;
+  scaled.density *= largest;
+  const double filled = pack_charts(charts, scaled);
   auto packed = charts.begin();
   for (std::size_t i = 0; i < unwrapped.size(); ++i)
   {

@@ -160,6 +160,55 @@ BOOST_AUTO_TEST_CASE(padding_without_room_for_charts_is_refused)
   BOOST_TEST(least_distance(charts) >= 5. / 64);
 }
 
+// Squares of 1 and 2 units, at ten texels a unit: those of 2 need a texture of 24 texels each with their padding.
+BOOST_AUTO_TEST_CASE(charts_at_a_density_fill_as_many_tiles_as_they_need)
+{
+  const Pixels one(1, 1, [](int, int) { return true; }), two(2, 2, [](int, int) { return true; });
+  std::vector<Chart> charts(5, one.chart());
+  charts.insert(charts.end(), 12, two.chart());
+  std::mt19937 random(3);
+  std::shuffle(charts.begin(), charts.end(), random);
+  for (Chart& c : charts)
+    for (Plane_point& p : c.at) { p = 0.37 * Plane_point{-p[1], p[0]}; } // whatever their size was
+  for (Plane_point& p : charts[2].at) { p[0] = -p[0]; }                  // and one is mirrored
+  Pack_options options;
+  options.resolution = 24;
+  options.padding = 2;
+  options.density = 10;
+  options.tiles = 13;
+  auto others = charts;
+  BOOST_CHECK_THROW(pack_charts(others, options), Invalid_input_error);
+  options.tiles = 14; // one for each square of 2, and four squares of 1 in another
+  const double filled = pack_charts(charts, options);
+  std::set<std::array<int, 2>> tiles;
+  double covered = 0;
+  for (const Chart& c : charts)
+  {
+    std::array<double, 4> box{1e9, 1e9, -1e9, -1e9};
+    for (const Plane_point& p : c.at)
+    {
+      box = {std::min(box[0], p[0]), std::min(box[1], p[1]), std::max(box[2], p[0]), std::max(box[3], p[1])};
+    }
+    const std::array<int, 2> tile{static_cast<int>(box[0]), static_cast<int>(box[1])};
+    tiles.insert(tile);
+    BOOST_TEST(box[2] <= tile[0] + 1);
+    BOOST_TEST(box[3] <= tile[1] + 1);
+    const double side = c.area > 2 ? 20. / 24 : 10. / 24;
+    BOOST_TEST(std::abs(area_of(*c.triangles, c.at)) == side * side, boost::test_tools::tolerance(1e-9));
+    covered += side * side;
+  }
+  BOOST_TEST((area_of(*charts[2].triangles, charts[2].at) < 0));
+  for (Chart& c : charts) // tiles are textures apart
+  {
+    const Plane_point tile{std::floor(c.at.front()[0]), std::floor(c.at.front()[1])};
+    for (Plane_point& p : c.at) { p = p + tile; }
+  }
+  BOOST_TEST(least_distance(charts) >= 2. / 24);
+  BOOST_TEST(tiles.size() == 14u);
+  BOOST_TEST((tiles.count({3, 1}) == 1u));
+  BOOST_TEST(filled == covered / 14, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(a_chart_fits_into_the_bay_of_another)
 {
   const Pixels bay(10, 10, [](int x, int y) { return x < 2 || x > 7 || y < 2; }),

@@ -574,6 +574,15 @@ BOOST_AUTO_TEST_CASE(each_fault_of_an_unwrapping_is_caught_by_name)
   BOOST_TEST(verify_unwrapping(soup, mesh, texture, 0.5).failures[0].find("nearer to another chart")
              != std::string::npos);
 
+  // in a tile of its own, which is number 13; on the line between two
+  faulty = texture;
+  move(1, 1e-3, {3.5, 1.5});
+  BOOST_TEST(verify_unwrapping(soup, mesh, faulty, 0.5, 14).failures.size() == 0u);
+  BOOST_TEST(!verify_unwrapping(soup, mesh, faulty, 0, 13));
+  move(1, 1e-3, {3, 1.5});
+  BOOST_TEST_REQUIRE(verify_unwrapping(soup, mesh, faulty, 0, 14).failures.size() == 1u);
+  BOOST_TEST(verify_unwrapping(soup, mesh, faulty, 0, 14).failures[0].find("not in one tile") != std::string::npos);
+
   Result_mesh charted = mesh;
   charted.chart_of = mesh.component_of;
   expect(charted, texture, "");

@@ -154,7 +154,7 @@ BOOST_FIXTURE_TEST_CASE(a_result_that_was_changed_is_not_verified, Fixture)
   };
   const std::size_t at = good.find("\nvt ") + 4, end = good.find('\n', at);
   expect(good.substr(0, at) + "0.99 0.99" + good.substr(end), "turned over");
-  expect(good.substr(0, at) + "3 4" + good.substr(end), "outside of the unit square");
+  expect(good.substr(0, at) + "3 4" + good.substr(end), "not in one tile");
   const std::size_t point = good.find("v ");
   expect(good.substr(0, point) + "v 9 9 9" + good.substr(good.find('\n', point)), "not at the position");
   const std::size_t face = good.find("\nf ") + 1;
@@ -399,12 +399,42 @@ BOOST_FIXTURE_TEST_CASE(padding_keeps_components_apart, Fixture)
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(a_density_is_kept_and_tiles_are_filled, Fixture)
+{
+  const auto run = [&](const std::string& options) {
+    return meridian("unwrap mesh.obj -o uv.obj --charts 6 --resolution 256 --report report.json " + options);
+  };
+  BOOST_TEST_REQUIRE(run("").status == 0);
+  const double fits = json("report.json")["texture"]["density"];
+  std::ostringstream low, high;
+  low << 0.5 * fits;
+  high << 1.5 * fits;
+  BOOST_TEST_REQUIRE(run("--density " + low.str()).status == 0);
+  BOOST_TEST(json("report.json")["texture"]["density"].get<double>() == 0.5 * fits, boost::test_tools::tolerance(1e-5));
+  const auto refused = run("--density " + high.str());
+  BOOST_TEST(refused.status == 1);
+  BOOST_TEST(contains(refused.error, "1 texture of 256 x 256 texels cannot hold all charts"), refused.error);
+  const auto tiled = run("--density " + high.str() + " --tiles 20");
+  BOOST_TEST(tiled.status == 0, tiled.error);
+  const auto texture = json("report.json")["texture"];
+  BOOST_TEST(texture["tiles"] > 1);
+  BOOST_TEST(texture["density"].get<double>() == 1.5 * fits, boost::test_tools::tolerance(1e-5));
+  const auto verified = meridian("verify mesh.obj uv.obj");
+  BOOST_TEST(verified.status == 0);
+  BOOST_TEST(contains(verified.out, "which is " + std::to_string(texture["tiles"].get<int>()) + " tiles"),
+             verified.out);
+}
+
 BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture)
 {
   for (const std::string option : {"--parameterization tutte --border free",
                                    "--geometry-image 33 --on-edges",
                                    "--geometry-image 33 --parameterization tutte",
                                    "--geometry-image 33 --border circle",
+                                   "--tiles 3",
+                                   "--density 100 --tiles 3 --svg uv.svg",
+                                   "--density 100 --geometry-image 33",
+                                   "--density 0",
                                    "--seams sharp:0",
                                    "--seams sharp:x",
                                    "--seams sharp:30 --method generators",

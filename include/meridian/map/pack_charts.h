@@ -24,6 +24,10 @@ struct Pack_options
 {
   int resolution = 2048; ///< texels along a side of the square
   double padding = 2;    ///< texels between two charts, at least
+  double density = 0;    ///< texels along a unit of length; 0: as many as fit
+  /// with `density`: how many squares there may be. Number `t` is moved by `t % 10` to the right and `t / 10` up, as is
+  /// the custom of UDIM
+  int tiles = 1;
 };
 
 /*!
@@ -34,19 +38,26 @@ struct Pack_options
  * Charts are taken by size, the largest first. Each is tried in several directions, large ones in many, at all
  * places of a grid of cells where it touches no cell that another chart or its padding touches, and so also inside
  * of the bays of others; the place is taken with which the square grows least (\cite levy2002 lets charts down onto
- * a horizon instead, which leaves bays empty). Then the square is scaled to the unit square. A chart is not turned
- * if rounding would then turn a face over.
+ * a horizon instead, which leaves bays empty). Then the square is scaled to the unit square; or, with a density, each
+ * chart goes into the first square that has a place for it. A chart is not turned if rounding would then turn a face
+ * over. Charts may overlap themselves, and be mirrored.
  *
  * \param charts the charts; their points are moved
  * \param options see there
- * \returns the part of the square that is filled
- * \throws Invalid_input_error if the padding leaves no room for so many charts
+ * \returns the part of the square that is filled, or of all squares that are used
+ * \throws Invalid_input_error if the padding leaves no room for so many charts, or so many squares no room at that
+ *   density
  * \pre there is a chart; no padding is more than a quarter of the resolution
  * \par Complexity
  * For each chart and direction, the number of the chart's rows of cells times that of the square's, of which there are
  * up to about 1024.
  */
 double pack_charts(std::vector<Chart>& charts, const Pack_options& options = Pack_options());
+
+/// \ingroup PkgMeridianParameterization
+/// \returns the number of the last square that has a point, as `Pack_options::tiles` counts them, and one more
+/// \param at the points
+int count_tiles(const std::vector<Plane_point>& at);
 
 } // namespace meridian
 

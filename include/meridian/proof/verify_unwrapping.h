@@ -18,15 +18,17 @@ namespace meridian {
  *
  * What `verify_cut()` checks of the mesh whose vertices are the texture's; further, that
  * - no face is turned over or without area in the plane: by the exact sign of its area;
- * - all coordinates lie in the unit square;
+ * - all coordinates lie in the unit square; or, with several tiles, those of each face in one of them: tile `t` is the
+ *   square moved by `t % 10` to the right and `t / 10` up;
  * - no two sides on borders of charts meet, other than at a vertex that they share, and no chart lies inside another:
  *   by exact signs. With the signs of the faces, the layout is then one-to-one;
- * - if a gap is asked for, no two charts are nearer, compared exactly.
+ * - if a gap is asked for, no two charts of one tile are nearer, compared exactly.
  *
  * \param input the input as it was read
  * \param result the result as it was read, a vertex for each texture coordinate
  * \param texture the coordinates of each vertex of `result`
  * \param gap how far apart charts are, at least
+ * \param tiles how many there may be
  *
  * \returns the counts and the failures
  * \par Complexity
@@ -34,7 +36,7 @@ namespace meridian {
  * which `k` pairs are near (\cite zomorodian2002)
  */
 Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result,
-                               const std::vector<Plane_point>& texture, double gap = 0);
+                               const std::vector<Plane_point>& texture, double gap = 0, int tiles = 1);
 
 } // namespace meridian
 

@@ -23,7 +23,8 @@ public:
   std::vector<Id> find_meeting() const;
   // Faces, one of each piece that lies inside another; only counted right if no borders meet.
   std::vector<Id> find_inside() const;
-  // Faces with a side on the border that is nearer than a distance to that of another piece.
+  // Faces with a side on the border that is nearer than a distance to that of another piece in the same tile, a square
+  // with corners in whole numbers.
   std::vector<Id> find_near(double distance) const;
 
 private:
@@ -33,6 +34,7 @@ private:
   const Plane_point& at(Id side) const { return m_texture[m_result.faces[side / 3][side % 3]]; }
   Id vertex(Id side) const { return m_result.faces[side / 3][side % 3]; }
   bool meet(Id a, Id b) const;
+  std::array<double, 2> tile_of(Id side) const;
   bool are_nearer(Id a, Id b, double distance) const;
 
   const Result_mesh& m_result;
