@@ -60,6 +60,7 @@ Command add_completion(CLI::App& app);
 Command add_info(CLI::App& app);
 Command add_cut(CLI::App& app);
 Command add_unwrap(CLI::App& app);
+Command add_pack(CLI::App& app);
 Command add_compare(CLI::App& app);
 Command add_generators(CLI::App& app);
 Command add_verify(CLI::App& app);

@@ -107,7 +107,8 @@ int main(int argc, char** argv)
              "usage, 130 interrupted.\n"
              "Example: meridian cut elephant.off -o disc.obj --view disc.html");
   std::vector<Command> commands;
-  for (const auto add : {add_info, add_cut, add_unwrap, add_compare, add_generators, add_verify, add_completion})
+  for (const auto add :
+       {add_info, add_cut, add_unwrap, add_pack, add_compare, add_generators, add_verify, add_completion})
   {
     commands.push_back(add(app));
   }

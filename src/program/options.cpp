@@ -91,6 +91,39 @@ void add_cut_options(CLI::App& command, Cut_arguments& a, Tightening tightened, 
   add_link_options(command, a);
 }
 
+void add_pack_options(CLI::App& command, Pack_options& packing)
+{
+  command.add_option("--resolution", packing.resolution, "texels along a side of the texture that is packed for")
+    ->check(CLI::Range(16, 65536))
+    ->type_name("N")
+    ->capture_default_str()
+    ->group("Charts");
+  CLI::Option* density =
+    command.add_option("--density", packing.density, "texels along a unit of length of MESH; otherwise as many as fit")
+      ->check(CLI::PositiveNumber)
+      ->type_name("D")
+      ->group("Charts");
+  command.add_option("--tiles", packing.tiles, "with --density: textures that there may be, in the order of UDIM")
+    ->check(CLI::Range(1, 100))
+    ->type_name("N")
+    ->capture_default_str()
+    ->needs(density)
+    ->group("Charts");
+  command.add_option("--padding", packing.padding, "texels between charts, at least")
+    ->check(CLI::Range(0., 1024.))
+    ->type_name("P")
+    ->capture_default_str()
+    ->group("Charts");
+}
+
+void check_padding(const Pack_options& packing)
+{
+  if (4 * packing.padding > packing.resolution)
+  {
+    throw Usage_error("--padding is more than a quarter of --resolution");
+  }
+}
+
 void note_field_options(const CLI::App& command, Field_arguments& a)
 {
   a.has_direction = command.count("--direction") > 0;

@@ -15,6 +15,7 @@
 namespace meridian {
 
 enum class Tightening;
+struct Pack_options;
 
 namespace program {
 
@@ -53,6 +54,8 @@ void add_common_options(CLI::App& command, Common_arguments& a);
 void add_field_options(CLI::App& command, Field_arguments& a);
 // `tightened`: what is, by itself; `unless`: when that is not so.
 void add_cut_options(CLI::App& command, Cut_arguments& a, Tightening tightened, const std::string& unless = "");
+void add_pack_options(CLI::App& command, Pack_options& packing);
+void check_padding(const Pack_options& packing); // throws Usage_error if it is too wide
 void note_field_options(const CLI::App& command, Field_arguments& a);
 void note_cut_options(const CLI::App& command, Cut_arguments& a);
 

@@ -67,7 +67,7 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(a.charts != 1 && a.geometry_image > 0, "--geometry-image is one chart; leave out --charts");
   forbid(a.charts != 1 && (a.family > 1 || a.stretch_weight > 0),
          "--family and --stretch-weight compare cuts into one chart; leave out --charts");
-  forbid(4 * a.packing.padding > a.packing.resolution, "--padding is more than a quarter of --resolution");
+  check_padding(a.packing);
   forbid(a.packing.tiles > 1 && !(a.layout.empty() && a.view.empty()),
          "--svg and --view show one texture; leave out --tiles");
   forbid(a.packing.density > 0 && a.geometry_image > 0, "a geometry image fills its square; leave out --density");
@@ -594,28 +594,7 @@ void add_chart_options(CLI::App& command, Unwrap_arguments& a)
     ->check(CLI::Range(1, 1000000) | CLI::IsMember({"auto"}))
     ->type_name("N|auto")
     ->group("Charts");
-  command.add_option("--resolution", a.packing.resolution, "texels along a side of the texture that is packed for")
-    ->check(CLI::Range(16, 65536))
-    ->type_name("N")
-    ->capture_default_str()
-    ->group("Charts");
-  CLI::Option* density =
-    command
-      .add_option("--density", a.packing.density, "texels along a unit of length of MESH; otherwise as many as fit")
-      ->check(CLI::PositiveNumber)
-      ->type_name("D")
-      ->group("Charts");
-  command.add_option("--tiles", a.packing.tiles, "with --density: textures that there may be, in the order of UDIM")
-    ->check(CLI::Range(1, 100))
-    ->type_name("N")
-    ->capture_default_str()
-    ->needs(density)
-    ->group("Charts");
-  command.add_option("--padding", a.packing.padding, "texels between charts, at least")
-    ->check(CLI::Range(0., 1024.))
-    ->type_name("P")
-    ->capture_default_str()
-    ->group("Charts");
+  add_pack_options(command, a.packing);
 }
 
 } // namespace

@@ -49,7 +49,7 @@ Verification verify_texture(const Polygon_soup& input, const files::Result_files
 }
 
 // The tiles of the texture up to the last that has a coordinate.
-int count_tiles(const std::vector<Plane_point>& texture)
+int number_of_tiles(const std::vector<Plane_point>& texture)
 {
   constexpr int columns = 10;
   int last = 0;
@@ -84,7 +84,7 @@ void print_summary(const Verification& v, const files::Result_files& result)
     if (v && result.kind == files::Result_kind::UNWRAPPING)
     {
       std::cout << "; no face is turned over in the plane";
-      const int tiles = count_tiles(result.texture);
+      const int tiles = number_of_tiles(result.texture);
       if (tiles > 1) { std::cout << ", which is " << tiles << " tiles"; }
     }
   }

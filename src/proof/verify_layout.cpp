@@ -33,7 +33,7 @@ struct Layout_verifier::Box : CGAL::Box_intersection_d::Box_d<double, 2, CGAL::B
   Id side;
 };
 
-Layout_verifier::Layout_verifier(const Result_mesh& result, const std::vector<Plane_point>& texture)
+Layout_verifier::Layout_verifier(const Result_mesh& result, const std::vector<Plane_point>& texture, Joined joined)
   : m_result(result), m_texture(texture)
 {
   const Id faces = static_cast<Id>(result.faces.size());
@@ -45,6 +45,13 @@ Layout_verifier::Layout_verifier(const Result_mesh& result, const std::vector<Pl
       if (last - first == 1) { m_border.push_back(*first); }
       else { pieces.join(*first / 3, *(first + 1) / 3); }
     });
+  std::vector<Id> first(joined == Joined::AT_VERTICES ? result.points.size() : 0, -1);
+  for (Id s = 0; s < 3 * faces && joined == Joined::AT_VERTICES; ++s)
+  {
+    Id& f = first[vertex(s)];
+    if (f < 0) { f = s / 3; }
+    pieces.join(f, s / 3);
+  }
   for (Id f = 0; f < faces; ++f) { m_piece.push_back(pieces.find(f)); }
 }
 
@@ -84,10 +91,12 @@ std::vector<Id> Layout_verifier::find_inside() const
 {
   std::vector<Box> all = boxes(0), rays; // to the right, one from each piece
   std::vector<char> has_ray(m_piece.size(), 0);
+  double far = 0;
+  for (const Plane_point& p : m_texture) { far = std::max(far, p[0] + 1); }
   for (Id s : m_border)
   {
     if (std::exchange(has_ray[m_piece[s / 3]], 1)) { continue; }
-    rays.emplace_back(s, at(s), Plane_point{2, at(s)[1]});
+    rays.emplace_back(s, at(s), Plane_point{far, at(s)[1]});
   }
   std::vector<int> around(m_piece.size(), 0); // how often borders of other pieces go round the one of a first face
   CGAL::box_intersection_d(rays.begin(), rays.end(), all.begin(), all.end(), [&](const Box& ray, const Box& box) {

@@ -4,6 +4,7 @@
 #include <meridian/base/list_elements.h>
 #include <meridian/proof/internal/verify_layout.h>
 #include <meridian/proof/verify_cut.h>
+#include <meridian/proof/verify_packing.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -93,6 +94,34 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
   if (!found) { return found; }
   list_once("charts lie inside others in the plane; they begin with faces", layout.find_inside());
   if (gap > 0) { list_once("faces are nearer to another chart than the padding", layout.find_near(gap)); }
+  return found;
+}
+
+Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& faces,
+                            const std::vector<Plane_point>& texture, double gap, int tiles)
+{
+  Verification found;
+  std::vector<std::int32_t> outside;
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (!verification::is_in_one_tile(faces[f], texture, tiles)) { outside.push_back(static_cast<std::int32_t>(f)); }
+  }
+  if (!outside.empty())
+  {
+    found.failures.push_back(internal::list_elements("faces are not in one tile of the texture", outside));
+    return found;
+  }
+  Result_mesh mesh;
+  mesh.faces = faces;
+  mesh.points.resize(texture.size());
+  const verification::Layout_verifier layout(mesh, texture, verification::Layout_verifier::Joined::AT_VERTICES);
+  const auto list = [&](const char* what, std::vector<std::int32_t> elements) {
+    std::sort(elements.begin(), elements.end());
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+    if (!elements.empty()) { found.failures.push_back(internal::list_elements(what, elements)); }
+  };
+  list("faces are nearer to another chart than the padding", layout.find_near(gap));
+  if (found) { list("charts lie inside others in the plane; they begin with faces", layout.find_inside()); }
   return found;
 }
 

@@ -17,7 +17,14 @@ namespace verification {
 class Layout_verifier
 {
 public:
-  Layout_verifier(const Result_mesh& result, const std::vector<Plane_point>& texture);
+  // What joins faces to pieces.
+  enum class Joined
+  {
+    ALONG_EDGES,
+    AT_VERTICES
+  };
+  Layout_verifier(const Result_mesh& result, const std::vector<Plane_point>& texture,
+                  Joined joined = Joined::ALONG_EDGES);
 
   // Faces whose side on the border meets another than at a vertex that both have.
   std::vector<Id> find_meeting() const;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef MERIDIAN_PROOF_VERIFY_PACKING_H
+#define MERIDIAN_PROOF_VERIFY_PACKING_H
+
+#include <meridian/base/Verification.h>
+#include <meridian/base/vectors.h>
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace meridian {
+
+/*!
+ * \ingroup PkgMeridianVerification
+ *
+ * recounts charts that were packed, whatever they are themselves: that each face lies in one tile, that no two charts of
+ * a tile are nearer than a gap, compared exactly, and that none lies inside another. Faces that share a vertex are of
+ * one chart.
+ *
+ * \param faces the places in `texture` of the corners of each face
+ * \param texture the points
+ * \param gap how far apart charts are, at least; more than 0
+ * \param tiles how many there may be; see `verify_unwrapping()`
+ * \returns the failures
+ * \par Complexity
+ * \f$ O(b \log^2 b + k) \f$ for `b` sides on borders, of which `k` pairs are near (\cite zomorodian2002)
+ */
+Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& faces,
+                            const std::vector<Plane_point>& texture, double gap, int tiles = 1);
+
+} // namespace meridian
+
+#endif // MERIDIAN_PROOF_VERIFY_PACKING_H

@@ -1,0 +1,187 @@
+// `meridian pack` as a person runs it.
+#include <boost/test/unit_test.hpp>
+
+#include "support/run_program.h"
+#include "support/sample_surfaces.h"
+#include "support/written_meshes.h"
+
+#include "files/Texture_text.h"
+
+#include <meridian/base/vectors.h>
+#include <meridian/proof/verify_packing.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace meridian;
+using written::contains;
+
+namespace {
+
+using Triangles = std::vector<std::array<Index, 3>>;
+
+// Squares beside each other, and above each other in the texture, but for the second, which is mirrored and half as
+// large there; the last has no texture coordinates. With a comment, groups, normals and a number that nobody uses.
+std::string squares(int count)
+{
+  std::ostringstream out;
+  out << "# squares \t\r\nmtllib some.mtl\nvn 0 0 1\nvt 7.0 07 7 # of no one\n";
+  for (int i = 0; i <= count; ++i)
+  {
+    for (int k = 0; k < 4; ++k) { out << "v " << 2 * i + (k == 1 || k == 2) << ' ' << (k > 1) << " 0\n"; }
+    out << "g square" << i << '\n';
+    if (i == count)
+    {
+      out << "f -4//1 -3//1 -2//1 -1//1\n";
+      continue;
+    }
+    for (int k = 0; k < 4; ++k)
+    {
+      const double u = k == 1 || k == 2, v = k > 1;
+      out << "vt  " << (i == 1 ? -0.5 * u : u) << '\t' << (i == 1 ? 0.5 * v : v) << (k == 3 ? " 0.25" : "") << '\n';
+    }
+    out << "f -4/-4/1 -3/-3/1 -2/-2/1 -1/-1/1\n";
+  }
+  return out.str();
+}
+
+double signed_area(const files::Texture_text& text, const std::array<std::int32_t, 3>& t)
+{
+  const auto& p = text.texture();
+  return cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]) / 2;
+}
+
+std::string without_coordinates(const std::string& text)
+{
+  std::istringstream in(text);
+  std::string rest;
+  for (std::string line; std::getline(in, line);)
+  {
+    if (line.compare(0, 3, "vt ") != 0 || contains(line, "of no one")) { rest += line + '\n'; }
+  }
+  return rest;
+}
+
+struct Fixture : program::Workplace
+{
+  std::string text(const std::string& name) const { return program::read(folder() / name); }
+};
+
+} // namespace
+
+BOOST_FIXTURE_TEST_CASE(charts_of_several_meshes_share_a_texture, Fixture)
+{
+  write("a.obj", squares(3));
+  write("b.obj", squares(6));
+  for (const std::string options : {"", "--keep-scale", "--density 60 --resolution 256 --padding 6",
+                                    "--density 100 --resolution 128 --tiles 9 --padding 4"})
+  {
+    const auto r = meridian("pack a.obj b.obj -o c.obj d.obj --report report.json " + options);
+    BOOST_TEST(r.status == 0, r.error);
+    BOOST_TEST(contains(r.out, "note: a.obj: 1 faces have no texture coordinates"), r.out);
+    BOOST_TEST(contains(r.out, "2 meshes, 9 charts"), r.out);
+    double side = 0; // of a square in the texture
+    for (const auto& [from, to] :
+         std::vector<std::pair<std::string, std::string>>{{"a.obj", "c.obj"}, {"b.obj", "d.obj"}})
+    {
+      BOOST_TEST(without_coordinates(text(from)) == without_coordinates(text(to)));
+      BOOST_TEST(contains(text(to), " 0.25\n")); // what stands behind
+      const files::Texture_text packed(to, text(to));
+      for (std::size_t f = 0; f < packed.texture_triangles().size(); ++f)
+      {
+        const double area = signed_area(packed, packed.texture_triangles()[f]);
+        BOOST_TEST((area < 0) == (f / 2 == 1)); // the mirrored one stays so
+        if (side == 0) { side = std::sqrt(2 * area); }
+        const double wanted = f / 2 == 1 && options == "--keep-scale" ? side / 2 : side;
+        BOOST_TEST(std::sqrt(2 * std::abs(area)) == wanted, boost::test_tools::tolerance(1e-9));
+      }
+    }
+    const auto report = nlohmann::json::parse(text("report.json"));
+    if (contains(options, "--density 60")) { BOOST_TEST(side == 60. / 256, boost::test_tools::tolerance(1e-9)); }
+    if (options.empty())
+    {
+      BOOST_TEST(report["density"].get<double>() == 2048 * side, boost::test_tools::tolerance(1e-9));
+    }
+    BOOST_TEST(report["verified"] == true);
+    BOOST_TEST(report["coverage"] > (contains(options, "tiles") ? 0.5 : 0.4 * 0.25));
+  }
+}
+
+BOOST_FIXTURE_TEST_CASE(a_map_that_was_packed_again_is_still_verified, Fixture)
+{
+  write("mesh.obj", written::obj(sample::noisy(sample::plate(2, 3), 0.05, 1)));
+  BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --charts 5 --quiet").status == 0);
+  std::filesystem::create_directory(folder() / "packed");
+  std::filesystem::copy(folder() / "uv.map.json", folder() / "packed/uv.map.json");
+  const auto r = meridian("pack uv.obj -o packed/uv.obj --resolution 512 --padding 8");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_TEST(meridian("verify mesh.obj packed/uv.obj").status == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(what_cannot_be_packed_is_refused, Fixture)
+{
+  write("a.obj", squares(3));
+  write("none.obj", written::obj(sample::sphere(1)));
+  write("wrong.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nf 1/1 2/2 3/3\n");
+  write("infinite.obj", "v 0 0 0\nvt 1e999 0\nf 1/1 1/1 1/1\n");
+  write("long.obj", squares(1) + "g \\\n a\n");
+  const auto expect = [&](const std::string& arguments, int status, const std::string& message) {
+    const auto r = meridian("pack " + arguments);
+    BOOST_TEST(r.status == status, arguments);
+    BOOST_TEST(contains(r.error, message), r.error);
+    BOOST_TEST(!std::filesystem::exists(folder() / "out.obj"));
+  };
+  expect("none.obj -o out.obj", 1, "no face has texture coordinates");
+  expect("wrong.obj -o out.obj", 1, "line 6: a corner names texture vertex 3, and 2 stand above it");
+  expect("infinite.obj -o out.obj", 1, "not a finite number");
+  expect("long.obj -o out.obj", 1, "behind a backslash");
+  expect("a.obj -o out.ply", 1, "OBJ files");
+  expect("a.obj none.obj -o out.obj", 64, "as many names");
+  expect("a.obj -o a.obj", 64, "written twice, or over a file that is read");
+  expect("a.obj a.obj -o out.obj out.obj", 64, "written twice");
+  expect("a.obj -o out.obj --keep-scale --density 3", 64, "--keep-scale");
+  expect("a.obj -o out.obj --padding 20 --resolution 64", 64, "--padding");
+  expect("a.obj -o out.obj --density 10000", 1, "cannot hold all charts");
+}
+
+BOOST_AUTO_TEST_CASE(packed_charts_are_recounted)
+{
+  const Triangles faces{{0, 1, 2}, {2, 3, 4}, {5, 6, 7}}; // the first two are one chart
+  const std::vector<Plane_point> apart{{0, 0},   {0.2, 0}, {0.2, 0.2}, {0.1, 0.3},
+                                       {0, 0.3}, {0.5, 0}, {0.9, 0},   {0.5, 0.4}};
+  BOOST_TEST(verify_packing(faces, apart, 0.29).failures.empty());
+  const auto expect = [&](const std::vector<Plane_point>& texture, const std::string& message) {
+    const Verification found = verify_packing(faces, texture, 0.1);
+    BOOST_TEST_REQUIRE(found.failures.size() == 1u);
+    BOOST_TEST(contains(found.failures[0], message), found.failures[0]);
+  };
+  BOOST_TEST(!verify_packing(faces, apart, 0.31));
+  auto moved = apart;
+  for (std::size_t v = 5; v < 8; ++v) { moved[v][0] -= 0.25; }
+  expect(moved, "nearer to another chart");
+  moved = apart;
+  moved[6][0] = 1.01;
+  expect(moved, "not in one tile");
+  moved = apart;
+  moved[5] = {0.05, 0.01};
+  for (std::size_t v = 0; v < 5; ++v) { moved[v] = {0.7 + 0.01 * apart[v][0], 0.13 + 0.01 * apart[v][1]}; }
+  moved[7] = {0.9, 0.6};
+  expect(moved, "inside others");
+  for (const std::vector<Plane_point>* texture : {&std::as_const(moved), &apart}) // in another tile
+  {
+    auto other = *texture;
+    for (Plane_point& p : other) { p = p + Plane_point{7, 1}; }
+    BOOST_TEST(static_cast<bool>(verify_packing(faces, other, 0.1, 20)) == (texture == &apart));
+    BOOST_TEST(!verify_packing(faces, other, 0.1, 17));
+  }
+  moved = apart; // beside each other, in two tiles
+  for (std::size_t v = 0; v < 8; ++v) { moved[v][0] += v < 5 ? 0.79 : 0.5; }
+  BOOST_TEST(verify_packing(faces, moved, 0.1, 2).failures.empty());
+}
