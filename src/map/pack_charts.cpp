@@ -216,11 +216,9 @@ private:
         if (is_new && placed[i].empty()) { refuse_density(i); }
       }
       --tile;
-      for (Plane_point& p : placed[i])
-      {
-        p = {std::min(p[0] / cells, 1.) + static_cast<double>(tile % 10),
-             std::min(p[1] / cells, 1.) + static_cast<double>(tile / 10)};
-      }
+      const std::size_t row = tile / 10, column = tile % 10;
+      const Plane_point at{static_cast<double>(column), static_cast<double>(row)};
+      for (Plane_point& p : placed[i]) { p = at + Plane_point{std::min(p[0] / cells, 1.), std::min(p[1] / cells, 1.)}; }
     }
     return placed;
   }

@@ -30,7 +30,8 @@ bool is_in_one_tile(const std::array<std::int32_t, 3>& face, const Texture& text
   const auto at = [&](std::size_t k) -> const Plane_point& { return texture[static_cast<std::size_t>(face[k])]; };
   for (int t = 0; t < tiles; ++t)
   {
-    const double x = t % columns, y = t / columns; // NOLINT(bugprone-integer-division): a row
+    const int row = t / columns, column = t % columns;
+    const double x = column, y = row;
     const auto is_inside = [&](const Plane_point& p) {
       return p[0] >= x && p[0] <= x + 1 && p[1] >= y && p[1] <= y + 1;
     };

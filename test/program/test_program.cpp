@@ -389,7 +389,7 @@ BOOST_FIXTURE_TEST_CASE(the_manual_and_the_shell_know_every_choice, Fixture)
     std::getline(in, line);
     return line;
   };
-  BOOST_TEST(complete("", 1) == "info cut unwrap compare generators verify");
+  BOOST_TEST(complete("", 1) == "info cut unwrap pack compare generators verify");
   BOOST_TEST(complete("cut --method ge", 3) == "generators geodesic geometry-image");
   BOOST_TEST(complete("compare --weights p", 3) == "positive");
   BOOST_TEST(complete("unwrap --para", 2) == "--parameterization");
