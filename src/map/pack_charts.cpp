@@ -11,8 +11,10 @@
 #include <cmath>
 #include <iomanip>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -68,7 +70,8 @@ public:
       if (m_may_turn[i]) { m_base[i] = longer_side_of_smallest_rectangle(charts[i].at); }
       m_area += m_scale[i] * m_scale[i] * image;
     }
-    sort_charts();
+    measure();
+    vary(0);
   }
 
   // The points of all charts in the unit square.
@@ -76,13 +79,38 @@ public:
   {
     if (m_options.density > 0) { return place_at_density(); }
     if (m_charts.size() == 1) { return place_one(); }
+    std::vector<std::vector<Plane_point>> best, placed;
+    double least = std::numeric_limits<double>::infinity();
+    for (Variation& v : find_best_variations())
+    {
+      vary(v.number);
+      m_directions = std::move(v.directions);
+      const double size = place_in_smallest_square(placed);
+      if (!(size < least)) { continue; }
+      least = size;
+      best.swap(placed);
+    }
+    if (!best.empty()) { return best; }
+    throw Invalid_input_error("the padding leaves no room for " + std::to_string(m_charts.size())
+                              + " charts; a smaller padding or a higher resolution would help");
+  }
+
+private:
+  static constexpr int fine = 1024;   // cells along a side that the charts are hoped to need
+  static constexpr int coarser = 4;   // how many of them are one where directions and orders are compared
+  static constexpr double small = 32; // cells; directions of charts that are less wide are compared as they are
+
+  // Packs charts as they are sorted and turned now, into the unit square. Returns how long a unit is then, the longer
+  // the worse; infinite if there is no room.
+  double place_in_smallest_square(std::vector<std::vector<Plane_point>>& placed)
+  {
     // the gap between charts is known once the square is
-    const int gap = std::max(gap_for(cells), 1);
+    const int gap = std::max(gap_for(fine), 1);
     constexpr double least = 1e-9;
     for (double hoped_for = 0.6; hoped_for > least;)
     {
       find_unit(hoped_for);
-      auto placed = place_all(gap);
+      placed = place_all(gap);
       if (placed.empty()) // they are too large for the cells there are
       {
         hoped_for /= 4;
@@ -93,20 +121,84 @@ public:
         for (const Plane_point& p : points) { size = std::max({size, p[0], p[1]}); }
       if (gap_for(size) > gap)
       {
-        hoped_for *= 0.98 * cells * cells / (size * size);
+        hoped_for *= 0.98 * fine * fine / (size * size);
         continue;
       }
       scale_down(placed, size);
-      return placed;
+      return size / m_unit;
     }
-    throw Invalid_input_error("the padding leaves no room for " + std::to_string(m_charts.size())
-                              + " charts; a smaller padding or a higher resolution would help");
+    return std::numeric_limits<double>::infinity();
   }
 
-private:
-  static constexpr int cells = 1024;  // along a side that the charts are hoped to need
-  static constexpr int coarser = 4;   // how many of them are one where directions are compared
-  static constexpr double small = 32; // cells; directions of charts that are less wide are compared as they are
+  // A way to begin, and what it leads to on a grid of few cells.
+  struct Variation
+  {
+    int extent;
+    int number;
+    std::vector<Plane_point> directions; // of each chart; empty: not known yet
+  };
+
+  // Those of several that lead to the smallest squares, and the first.
+  std::vector<Variation> find_best_variations()
+  {
+    constexpr std::size_t many = 100;          // charts are too small for such a grid
+    constexpr std::size_t few = 5, work = 640; // charts that are placed there
+    const auto tries = std::min(static_cast<std::size_t>(m_options.tries), work / m_charts.size());
+    std::vector<Variation> all;
+    std::map<std::array<double, 3>, Chart_cells> known; // by the chart and the direction
+    find_unit(0.6);
+    for (int i = 1; i < static_cast<int>(tries) && m_charts.size() <= many; ++i)
+    {
+      vary(i);
+      all.push_back({0, i, std::vector<Plane_point>(m_charts.size())});
+      all.back().extent = extent_on_few_cells(known, all.back().directions);
+    }
+    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.extent < b.extent; });
+    all.resize(std::min(few, all.size()));
+    all.push_back({0, 0, {}});
+    return all;
+  }
+
+  int extent_on_few_cells(std::map<std::array<double, 3>, Chart_cells>& known, std::vector<Plane_point>& chosen) const
+  {
+    constexpr int few_cells = fine / coarser;
+    Atlas atlas(2 * few_cells, 1);
+    for (std::size_t i : m_order)
+    {
+      std::optional<Atlas::Place> best;
+      const Chart_cells none, *best_cells = &none;
+      for (const Plane_point& d : directions(i))
+      {
+        const auto [at, is_new] = known.try_emplace({static_cast<double>(i), d[0], d[1]});
+        if (is_new)
+        {
+          at->second = cells_of(*m_charts[i].triangles, turn(m_charts[i].at, d, m_unit / coarser * m_scale[i]).at);
+        }
+        const auto place = atlas.find_place(at->second, best, *best_cells);
+        if (!place) { continue; }
+        best = place;
+        best_cells = &at->second;
+        chosen[i] = d;
+      }
+      if (!best) { return std::numeric_limits<int>::max(); }
+      atlas.take(*best_cells, *best);
+    }
+    return atlas.extent();
+  }
+
+  // Another direction of the first chart for each try, and for every other one another order; by itself for try 0.
+  void vary(int tries)
+  {
+    std::mt19937 random(static_cast<unsigned>(tries));
+    std::vector<double> size = m_size;
+    if (tries % 2 == 1)
+    {
+      for (double& x : size) { x *= 0.5 + static_cast<double>(random() >> 8) / (1 << 24); }
+    }
+    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
+    std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
+    m_turn = std::acos(-1.) / 2 * tries / m_options.tries;
+  }
 
   int gap_for(double size) const
   {
@@ -117,21 +209,17 @@ private:
   void find_unit(double filled)
   {
     const double wanted = std::max(std::sqrt(m_area / filled), m_longest);
-    m_unit = wanted > 0 ? cells / wanted : 1;
+    m_unit = wanted > 0 ? fine / wanted : 1;
   }
 
-  // Puts the largest first.
-  void sort_charts()
+  void measure()
   {
-    std::vector<double> size(m_charts.size());
     for (std::size_t i = 0; i < m_charts.size(); ++i)
     {
       const Plane_point extent = turn(m_charts[i].at, m_base[i], m_scale[i]).extent;
-      size[i] = extent[0] * extent[1];
+      m_size.push_back(extent[0] * extent[1]);
       m_longest = std::max({m_longest, extent[0], extent[1]});
     }
-    std::iota(m_order.begin(), m_order.end(), std::size_t(0));
-    std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
   }
 
   // Directions that a chart is tried in: right angles, and for one that is large those between.
@@ -139,6 +227,13 @@ private:
   {
     constexpr double large = 0.02;
     if (!m_may_turn[chart]) { return {{1, 0}}; }
+    const Plane_point& base = m_base[chart];
+    if (!m_directions.empty()) { return {m_directions[chart]}; }
+    if (chart == m_order.front() && m_turn > 0)
+    {
+      const double c = std::cos(m_turn), s = std::sin(m_turn);
+      return {{base[0] * c - base[1] * s, base[0] * s + base[1] * c}};
+    }
     const bool is_large = m_charts[chart].area > large * m_area;
     const int count = is_large ? 24 : 4;
     std::vector<Plane_point> all;
@@ -187,7 +282,7 @@ private:
   // Nothing if there is no place for one.
   std::vector<std::vector<Plane_point>> place_all(int gap) const
   {
-    Square square(2 * cells, gap);
+    Square square(2 * fine, gap);
     std::vector<std::vector<Plane_point>> placed(m_charts.size());
     for (std::size_t i : m_order)
     {
@@ -200,8 +295,8 @@ private:
   // The same in as many squares as that takes, in the size that charts shall have.
   std::vector<std::vector<Plane_point>> place_at_density()
   {
-    m_unit = m_options.density * cells / m_options.resolution;
-    const int gap = std::max(gap_for(cells), 1);
+    m_unit = m_options.density * fine / m_options.resolution;
+    const int gap = std::max(gap_for(fine), 1);
     std::vector<Square> squares;
     std::vector<std::vector<Plane_point>> placed(m_charts.size());
     for (std::size_t i : m_order)
@@ -211,14 +306,14 @@ private:
       {
         const bool is_new = tile == squares.size();
         if (is_new && tile == static_cast<std::size_t>(m_options.tiles)) { refuse_density(i); }
-        if (is_new) { squares.emplace_back(cells, gap); }
+        if (is_new) { squares.emplace_back(fine, gap); }
         placed[i] = place(i, gap, squares[tile]);
         if (is_new && placed[i].empty()) { refuse_density(i); }
       }
       --tile;
       const std::size_t row = tile / 10, column = tile % 10;
       const Plane_point at{static_cast<double>(column), static_cast<double>(row)};
-      for (Plane_point& p : placed[i]) { p = at + Plane_point{std::min(p[0] / cells, 1.), std::min(p[1] / cells, 1.)}; }
+      for (Plane_point& p : placed[i]) { p = at + Plane_point{std::min(p[0] / fine, 1.), std::min(p[1] / fine, 1.)}; }
     }
     return placed;
   }
@@ -288,11 +383,14 @@ private:
   const std::vector<Chart>& m_charts;
   const std::vector<char> m_may_turn;
   const Pack_options m_options;
-  std::vector<double> m_scale;      // of each chart, to the area that it has
-  std::vector<Plane_point> m_base;  // the direction of the longer side of the smallest rectangle around it
-  std::vector<std::size_t> m_order; // from the largest to the smallest
-  double m_area = 0, m_longest = 0; // of all charts; the longest side of a rectangle
-  double m_unit = 1;                // in cells
+  std::vector<double> m_scale;           // of each chart, to the area that it has
+  std::vector<Plane_point> m_base;       // the direction of the longer side of the smallest rectangle around it
+  std::vector<double> m_size;            // of a rectangle around each chart
+  std::vector<std::size_t> m_order;      // from the largest to the smallest
+  double m_turn = 0;                     // of the first chart; 0: as is best
+  std::vector<Plane_point> m_directions; // of all charts, where they are known
+  double m_area = 0, m_longest = 0;      // of all charts; the longest side of a rectangle
+  double m_unit = 1;                     // in cells
 };
 
 } // namespace

@@ -373,7 +373,9 @@ double Chart_divider::filled() const
 {
   std::vector<meridian::Chart> packed;
   for (const Chart& c : m_charts) { packed.push_back({&c.piece.surface.triangles, c.map.at, c.area}); }
-  return pack_charts(packed);
+  Pack_options options;
+  options.tries = 1; // about is enough
+  return pack_charts(packed, options);
 }
 
 void Chart_divider::divide_wasteful()

@@ -156,8 +156,8 @@ BOOST_AUTO_TEST_CASE(cuts_are_planned_to_the_highest_cones_first)
   }
 }
 
-// Of many cones that are much alike, only as many are reached as are needed. They are not quite alike, so that it is not
-// rounding that chooses.
+// Of many cones that are much alike, only as many are reached as are needed. They are not quite alike, so that it is
+// not rounding that chooses.
 BOOST_AUTO_TEST_CASE(no_more_is_planned_than_is_needed)
 {
   std::vector<Plane_point> places;

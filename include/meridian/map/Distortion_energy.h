@@ -10,7 +10,8 @@ namespace meridian {
 enum class Distortion_energy
 {
   SYMMETRIC_DIRICHLET, ///< G^2 + g^2 + 1/G^2 + 1/g^2: lengths are kept (\cite smith2015)
-  CONFORMAL ///< G/g + g/G, and a little of Gg + 1/(Gg): angles are kept, and areas where that is free (\cite hormann2000)
+  /// G/g + g/G, and a little of Gg + 1/(Gg): angles are kept, and areas where that is free (\cite hormann2000)
+  CONFORMAL
 };
 
 } // namespace meridian

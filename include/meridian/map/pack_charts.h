@@ -24,6 +24,7 @@ struct Pack_options
 {
   int resolution = 2048; ///< texels along a side of the square
   double padding = 2;    ///< texels between two charts, at least
+  int tries = 64;        ///< ways to begin that are compared on a coarse grid, if there are no more than 100 charts
   double density = 0;    ///< texels along a unit of length; 0: as many as fit
   /// with `density`: how many squares there may be. Number `t` is moved by `t % 10` to the right and `t / 10` up, as is
   /// the custom of UDIM
@@ -38,9 +39,10 @@ struct Pack_options
  * Charts are taken by size, the largest first. Each is tried in several directions, large ones in many, at all
  * places of a grid of cells where it touches no cell that another chart or its padding touches, and so also inside
  * of the bays of others; the place is taken with which the square grows least (\cite levy2002 lets charts down onto
- * a horizon instead, which leaves bays empty). Then the square is scaled to the unit square; or, with a density, each
- * chart goes into the first square that has a place for it. A chart is not turned if rounding would then turn a face
- * over. Charts may overlap themselves, and be mirrored.
+ * a horizon instead, which leaves bays empty). Several directions of the first chart and orders of all are tried on a
+ * coarse grid, and the best of them on a fine one. Then the square is scaled to the unit square; or, with a density,
+ * each chart goes into the first square that has a place for it. A chart is not turned if rounding would then turn a
+ * face over. Charts may overlap themselves, and be mirrored.
  *
  * \param charts the charts; their points are moved
  * \param options see there

@@ -18,8 +18,8 @@ namespace meridian {
 double corner_angle(const Triangle_surface& s, Index h);
 
 /// \ingroup PkgMeridianSurface
-/// \returns the angle between the normals of the two faces at an edge, in radians: 0 where they are in one plane, or one
-///          of them has no area
+/// \returns the angle between the normals of the two faces at an edge, in radians: 0 where they are in one plane, or
+///          one of them has no area
 /// \param s the surface
 /// \param h a halfedge inside
 double exterior_dihedral_angle(const Triangle_surface& s, Index h);

@@ -49,8 +49,8 @@ struct Unwrap_options
   /// by a quarter
   double filled = 0.6;
   /// halfedges of the surface that shall be seams, and stay where they are: they are completed by `complete_cut()`, for
-  /// which `cut` says whether on edges, with bifurcations, when curves are tight and how fields are solved. Then the cut
-  /// is extended only if a stretch is asked for, and `charts` is how many there are at least
+  /// which `cut` says whether on edges, with bifurcations, when curves are tight and how fields are solved. Then the
+  /// cut is extended only if a stretch is asked for, and `charts` is how many there are at least
   std::vector<Index> seams;
   /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
   int image_size = 0;
