@@ -80,17 +80,20 @@ public:
     if (m_options.density > 0) { return place_at_density(); }
     if (m_charts.size() == 1) { return place_one(); }
     std::vector<std::vector<Plane_point>> best, placed;
-    double least = std::numeric_limits<double>::infinity();
-    for (Variation& v : find_best_variations())
+    double least = place_in_smallest_square(best);
+    if (least < std::numeric_limits<double>::infinity())
     {
-      vary(v.number);
-      m_directions = std::move(v.directions);
-      const double size = place_in_smallest_square(placed);
-      if (!(size < least)) { continue; }
-      least = size;
-      best.swap(placed);
+      for (Variation& v : find_best_variations())
+      {
+        vary(v.number);
+        m_directions = std::move(v.directions);
+        const double size = place_in_smallest_square(placed);
+        if (!(size < least)) { continue; }
+        least = size;
+        best.swap(placed);
+      }
+      return best;
     }
-    if (!best.empty()) { return best; }
     throw Invalid_input_error("the padding leaves no room for " + std::to_string(m_charts.size())
                               + " charts; a smaller padding or a higher resolution would help");
   }
@@ -138,7 +141,7 @@ private:
     std::vector<Plane_point> directions; // of each chart; empty: not known yet
   };
 
-  // Those of several that lead to the smallest squares, and the first.
+  // Those of several that lead to the smallest squares.
   std::vector<Variation> find_best_variations()
   {
     constexpr std::size_t many = 100;          // charts are too small for such a grid
@@ -155,7 +158,6 @@ private:
     }
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.extent < b.extent; });
     all.resize(std::min(few, all.size()));
-    all.push_back({0, 0, {}});
     return all;
   }
 

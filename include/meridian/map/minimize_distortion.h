@@ -40,8 +40,8 @@ std::vector<Rest_triangle> rest_triangles(const Triangle_surface& s);
 class Distortion_minimizer
 {
 public:
-  // `options`: all but its limits. `is_near`: whether the map has the shape that it will have, but for small parts. Then
-  // what is outside resists less to begin with, and squeezed vertices are moved one by one before a step, if they were
+  // `options`: all but its limits. `is_near`: whether the map has the shape that it will have, but for small parts.
+  // Then what is outside resists less to begin with, and squeezed vertices are moved one by one before a step, if they were
   // in the way of the last. From far away that would only crumple the border.
   Distortion_minimizer(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options,
                        bool is_near = false);
@@ -91,8 +91,8 @@ private:
  *
  * An energy, by itself the symmetric Dirichlet energy (\cite smith2015), is minimized by Newton's method with the
  * Hessian's negative part left out (\cite smith2019). If the border may move, the plane outside of the image is
- * triangulated and resists too, so that it does not run into itself (\cite jiang2017). A step is taken only if no face is
- * turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
+ * triangulated and resists too, so that it does not run into itself (\cite jiang2017). A step is taken only if no face
+ * is turned over and the border is a simple polygon, both decided exactly: then the map is one-to-one. The surface is
  * thought scaled to the area that the image has at the beginning.
  *
  * \param disc the surface

@@ -15,8 +15,8 @@ namespace meridian {
  * \ingroup PkgMeridianVerification
  *
  * recounts charts that were packed, whatever they are themselves: that each face lies in one tile, that no two charts
- * of a tile are nearer than a gap, compared exactly, and that none lies inside another. Faces that share a vertex are of
- * one chart.
+ * of a tile are nearer than a gap, compared exactly, and that none lies inside another. Faces that share a vertex are
+ * of one chart.
  *
  * \param faces the places in `texture` of the corners of each face
  * \param texture the points
