@@ -60,6 +60,7 @@ struct Cut_arguments : Field_arguments
 
 struct Unwrap_arguments : Cut_arguments // with a family, the best of its members
 {
+  std::vector<std::string> meshes, outs; // those of all; `mesh` and `out` are those of one
   Map_method parameterization = Map_method::SYMMETRIC_DIRICHLET;
   Map_border border = Map_border::FREE;
   bool has_border = false;

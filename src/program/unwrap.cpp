@@ -3,39 +3,28 @@
 #include "cut.h"
 #include "end_run.h"
 #include "files/Mesh_format.h"
-#include "files/map_file.h"
-#include "files/png.h"
-#include "files/write_layout.h"
-#include "files/write_mesh.h"
-#include "files/write_texture.h"
 #include "given_seams.h"
 #include "options.h"
-#include "page/format_unwrap_page.h"
+#include "unwrap_run.h"
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
-#include <meridian/cut/Cut.h>
 #include <meridian/cut/Cut_options.h>
-#include <meridian/map/Parameterization.h>
-#include <meridian/map/distortion.h>
+#include <meridian/map/pack_charts.h>
 #include <meridian/map/planar_map.h>
+#include <meridian/proof/verify_packing.h>
 #include <meridian/proof/verify_unwrapping.h>
 #include <meridian/result/Assembled_result.h>
-#include <meridian/result/name_curves.h>
-#include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/examine_surface.h>
-#include <meridian/surface/measures.h>
 #include <meridian/unwrap/Unwrapping.h>
-#include <meridian/unwrap/geometry_image.h>
-#include <meridian/unwrap/measure_round_trip.h>
 #include <meridian/unwrap/pack_unwrappings.h>
 #include <meridian/unwrap/unwrap_surface.h>
 
-#include <chrono>
-#include <filesystem>
-#include <iostream>
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <memory>
 #include <sstream>
 
@@ -43,9 +32,6 @@ namespace meridian {
 namespace program {
 
 namespace {
-
-// The paths that go with OUT.
-std::string beside(const Unwrap_arguments& a, const char* ending) { return files::stem_of(a.out) + ending; }
 
 void check_unwrap_arguments(const Unwrap_arguments& a)
 {
@@ -77,18 +63,45 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(has_seams && a.geometry_image > 0, "--geometry-image has a cut of its own; leave out --seams and --chart-per");
   forbid(has_seams && (a.family > 1 || a.stretch_weight > 0),
          "--family and --stretch-weight compare cuts; leave out --seams and --chart-per");
-  std::vector<std::string> written{
-    a.out, files::map_path(a.out, a.map), a.report, a.view, a.curves, a.layout, a.texture, a.distortion};
-  if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
   if (a.geometry_image > 0)
   {
     forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
     forbid((a.has_border && a.border != Map_border::SQUARE) || !takes_polygon(a.parameterization),
            "--geometry-image maps into a square with --parameterization symmetric-dirichlet, conformal, stretch or "
            "positive");
-    for (const char* ending : {".geometry.png", ".remesh.obj"}) { written.push_back(beside(a, ending)); }
   }
-  check_paths(a, written, {is_kind_of_seam(a.seams) ? "" : a.seams});
+}
+
+// The arguments for each mesh, checked.
+std::vector<Unwrap_arguments> arguments_of_each(const Unwrap_arguments& a)
+{
+  const std::size_t n = a.meshes.size();
+  const auto forbid = [](bool is_wrong, const std::string& message) {
+    if (is_wrong) { throw Usage_error(message); }
+  };
+  forbid(a.outs.size() != n, "as many names are needed behind -o as there are meshes: " + std::to_string(n));
+  const bool has_seams_of_one = !a.seams.empty() && !is_kind_of_seam(a.seams);
+  for (const std::string& path : {a.view, a.curves, a.layout, a.texture, a.distortion})
+  {
+    forbid(n > 1 && !path.empty(), "pictures, curves and pages are of one mesh; leave them out for several");
+  }
+  forbid(n > 1 && (a.geometry_image > 0 || has_seams_of_one),
+         "geometry images and paths of seams are of one mesh; leave them out for several");
+  std::vector<Unwrap_arguments> each(n, a);
+  std::vector<std::string> written{a.report}, read = a.meshes;
+  read.push_back(has_seams_of_one ? a.seams : "");
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    each[i].mesh = a.meshes[i];
+    each[i].out = a.outs[i];
+    check_unwrap_arguments(each[i]);
+    const std::vector<std::string> own = written_for(each[i]);
+    written.insert(written.end(), own.begin(), own.end());
+  }
+  Field_arguments others = a;
+  others.mesh.clear();
+  check_paths(others, written, read);
+  return each;
 }
 
 Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
@@ -103,335 +116,6 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
   o.image_size = a.geometry_image;
   o.charts = a.charts;
   return o;
-}
-
-// Packs the maps of all components. Returns texture coordinates for the vertices of a result, and gives its faces their
-// charts, if a component has several.
-std::vector<Plane_point> pack(const Unwrap_arguments& arguments, const Loaded_mesh& loaded,
-                              std::vector<Unwrapping>& unwrapped, Assembled_result& assembled)
-{
-  const bool is_image = unwrapped.front().border.size > 0; // whose square stays as it is
-  std::vector<double> units;
-  for (const Surface_component& c : loaded.examination.components) { units.push_back(c.unit); }
-  if (!is_image) { pack_unwrappings(unwrapped, units, arguments.packing); }
-  std::vector<Plane_point> texture(assembled.mesh.points.size(), {0, 0});
-  std::vector<std::int32_t> chart_of(assembled.mesh.points.size(), 0); // each vertex
-  std::size_t charts = 0;
-  for (std::size_t i = 0; i < unwrapped.size(); ++i)
-  {
-    const Unwrapping& u = unwrapped[i];
-    const std::vector<Index>& place = assembled.place[i];
-    for (std::size_t v = 0; v < u.map.at.size(); ++v) { texture[place[v]] = u.map.at[v]; }
-    for (std::size_t f = 0; f < u.disc.triangles.size(); ++f)
-    {
-      const std::size_t chart = charts + (u.chart_of.empty() ? 0 : static_cast<std::size_t>(u.chart_of[f]));
-      for (Index v : u.disc.triangles[f]) { chart_of[place[v]] = static_cast<std::int32_t>(chart); }
-    }
-    charts += u.charts;
-  }
-  if (charts > unwrapped.size())
-  {
-    for (const auto& face : assembled.mesh.faces) { assembled.mesh.chart_of.push_back(chart_of[face[0]]); }
-  }
-  return texture;
-}
-
-// Faces without area, or turned over, for those who read coordinates in single precision.
-std::size_t count_flipped_in_single_precision(const Result_mesh& mesh, std::vector<Plane_point> texture)
-{
-  for (Plane_point& p : texture)
-  {
-    for (double& x : p) { x = static_cast<float>(x); }
-  }
-  return find_flipped_faces(mesh.faces, texture).size();
-}
-
-// Texels along a unit of length of the mesh, in the mean.
-double density_of(const Unwrap_arguments& a, const Loaded_mesh& loaded, const Result_mesh& mesh,
-                  const std::vector<Plane_point>& texture)
-{
-  double on_surface = 0;
-  for (const Surface_component& c : loaded.examination.components) { on_surface += c.unit * c.unit * area(c.surface); }
-  return on_surface > 0 ? a.packing.resolution * std::sqrt(area_of(mesh.faces, texture) / on_surface) : 0;
-}
-
-Json report_steps(const std::vector<Unwrap_step>& steps, double unit)
-{
-  Json list = Json::array();
-  for (const Unwrap_step& s : steps)
-  {
-    list.push_back({{"name", s.name}, {"length", unit * s.length}, {"taken", s.is_taken}});
-    if (s.flipped < 0) { list.back()["reason"] = s.reason; }
-    else { list.back().update({{"stretch_l2", s.stretch_l2}, {"method", name_of(s.method)}, {"flipped", s.flipped}}); }
-  }
-  return list;
-}
-
-Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
-{
-  const Distortion& d = u.map.distortion;
-  Json attempts = Json::array();
-  for (const Map_attempt& a : u.map.attempts)
-  {
-    attempts.push_back({{"method", name_of(a.method)},
-                        {"border", name_of(a.border)},
-                        {"flipped", a.flipped < 0 ? Json() : Json(a.flipped)}});
-    if (!a.reason.empty()) { attempts.back()["reason"] = a.reason; }
-  }
-  return {{"method", name_of(u.map.method)},
-          {"border", name_of(u.map.border)},
-          {"asked", name_of(options.map.method)},
-          {"attempts", attempts},
-          {"flipped", u.map.flipped.size()},
-          {"one_to_one", u.map.is_one_to_one},
-          {"stretch_l2", d.stretch_l2},
-          {"stretch_linf", d.stretch_linf},
-          {"angle", d.angle * 180 / std::acos(-1.)},
-          {"area", d.area},
-          {"conformal", d.conformal},
-          {"areal", d.areal},
-          {"family", report_steps(u.members, unit)},
-          {"links", report_steps(u.variations, unit)},
-          {"extensions", report_steps(u.extensions, unit)},
-          {"extended_to", u.extended},
-          {"charts", u.charts}};
-}
-
-// The distortion of each face of a result, with numbers in place of infinity.
-std::vector<Face_distortion> distortion_of_faces(const Assembled_result& assembled,
-                                                 const std::vector<Plane_point>& texture,
-                                                 const std::vector<Unwrapping>& unwrapped)
-{
-  const Result_mesh& mesh = assembled.mesh;
-  std::vector<Point> points = mesh.points; // those of each component at its own scale
-  std::vector<std::vector<std::array<Index, 3>>> triangles(unwrapped.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f) { triangles[mesh.component_of[f]].push_back(mesh.faces[f]); }
-  std::vector<std::vector<Face_distortion>> measured;
-  for (std::size_t i = 0; i < unwrapped.size(); ++i)
-  {
-    const auto& local = unwrapped[i].disc.points;
-    for (std::size_t v = 0; v < local.size(); ++v) { points[assembled.place[i][v]] = local[v]; }
-    measured.push_back(measure_faces(points, triangles[i], texture));
-  }
-  std::vector<std::size_t> next(unwrapped.size(), 0);
-  std::vector<Face_distortion> faces;
-  for (Index component : mesh.component_of)
-  {
-    faces.push_back(measured[component][next[component]++]);
-    for (double* value :
-         {&faces.back().stretch_l2, &faces.back().stretch_linf, &faces.back().conformal, &faces.back().areal})
-    {
-      *value = std::min(*value, 1e300);
-    }
-  }
-  return faces;
-}
-
-// A geometry image and the surface that it makes, and how near that is.
-Json add_geometry_image(files::Output_files& out, const Unwrap_arguments& a, const Surface_component& component,
-                        const Unwrapping& u)
-{
-  const Geometry_image image = sample_geometry(u.disc, u.map.at, u.border);
-  const Remeshed remeshed = remesh_from_image(image, &u.border);
-  const Round_trip trip = measure_round_trip(component.surface, remeshed.surface);
-  std::vector<std::uint16_t> rows; // from the top
-  for (int row = image.size; row-- > 0;)
-  {
-    rows.insert(rows.end(), image.samples.begin() + 3 * image.pixel(0, row),
-                image.samples.begin() + 3 * image.pixel(0, row) + 3 * image.size);
-  }
-  out.add(beside(a, ".geometry.png"), files::format_png(image.size, image.size, 3, rows, 16));
-  Result_mesh mesh;
-  for (const Point& p : remeshed.surface.points) { mesh.points.push_back(component.unit * p); }
-  mesh.faces = remeshed.surface.triangles;
-  out.add(beside(a, ".remesh.obj"), files::format_mesh(beside(a, ".remesh.obj"), mesh));
-  const int loops = static_cast<int>(boundary_loops(remeshed.surface).size());
-  const int characteristic =
-    remeshed.surface.number_of_vertices() - remeshed.surface.number_of_edges() + remeshed.surface.number_of_faces();
-  const double unit = component.unit;
-  return {{"size", image.size},
-          {"low", {unit * image.low[0], unit * image.low[1], unit * image.low[2]}},
-          {"step", unit * image.step},
-          {"faces_left_out", remeshed.faces_left_out},
-          {"genus", (2 - characteristic - loops) / 2},
-          {"boundary_loops", loops},
-          {"hausdorff", unit * trip.hausdorff},
-          {"rms", unit * trip.rms},
-          {"psnr", trip.psnr}};
-}
-
-// The mesh as it is on the surface, not taken apart.
-Result_mesh closed_mesh(Result_mesh mesh)
-{
-  for (auto& face : mesh.faces)
-  {
-    for (Index& v : face) { v = mesh.copy_of[v] < 0 ? v : mesh.copy_of[v]; }
-  }
-  mesh.points.resize(std::find_if(mesh.copy_of.begin(), mesh.copy_of.end(), [](Index c) { return c >= 0; })
-                     - mesh.copy_of.begin());
-  return mesh;
-}
-
-// The mesh with the distortion of each face.
-std::string format_distortion(const Unwrap_arguments& arguments, const Result_mesh& mesh,
-                              const std::vector<Face_distortion>& faces)
-{
-  std::vector<files::Face_values> values{{"stretch_l2", {}}, {"stretch_linf", {}}, {"conformal", {}}, {"areal", {}}};
-  for (const Face_distortion& f : faces)
-  {
-    const std::array<double, 4> all{f.stretch_l2, f.stretch_linf, f.conformal, f.areal};
-    for (std::size_t k = 0; k < 4; ++k) { values[k].values.push_back(all[k]); }
-  }
-  return files::format_mesh(arguments.distortion, closed_mesh(mesh), values);
-}
-
-std::string count_of(std::size_t count, const char* one, const char* more)
-{
-  return std::to_string(count) + " " + (count == 1 ? one : more);
-}
-
-// What a person should know of the maps and the geometry image.
-std::vector<std::string> notes_of(const std::vector<Unwrapping>& unwrapped, const std::vector<std::string>& warnings,
-                                  const Json& report)
-{
-  std::vector<std::string> notes;
-  for (std::size_t i = 0; i < unwrapped.size(); ++i)
-  {
-    const Unwrapping& u = unwrapped[i];
-    const Map_attempt& asked = u.map.attempts.front();
-    const std::string component = "note: component " + std::to_string(i) + ": ";
-    if (u.map.attempts.size() > 1)
-    {
-      notes.push_back(component + "mapped by " + name_of(u.map.method) + " (border " + name_of(u.map.border)
-                      + "), because " + name_of(asked.method) + " (border " + name_of(asked.border) + ") "
-                      + (asked.flipped < 0       ? "gave no map: " + asked.reason
-                         : !asked.reason.empty() ? "left a map that is not one-to-one: " + asked.reason
-                                                 : "left " + std::to_string(asked.flipped) + " flipped faces"));
-    }
-    if (u.extended > 0)
-    {
-      notes.push_back(component + "the cut was extended to " + count_of(u.extended, "vertex", "vertices")
-                      + " for a lower stretch");
-    }
-  }
-  for (const std::string& warning : warnings) { notes.push_back("warning: " + warning); }
-  const std::size_t flipped = report["texture"]["flipped_in_single_precision"];
-  if (flipped > 0)
-  {
-    notes.push_back("note: read in single precision, the coordinates leave " + count_of(flipped, "face", "faces")
-                    + " without area, or turned over");
-  }
-  if (report.contains("geometry_image"))
-  {
-    const Json& image = report["geometry_image"];
-    std::ostringstream note;
-    note << "geometry image: the surface made of it has genus " << image["genus"] << " and " << image["boundary_loops"]
-         << " boundary loops; Hausdorff distance " << image["hausdorff"].get<double>() << ", PSNR "
-         << image["psnr"].get<double>() << " dB";
-    notes.push_back(note.str());
-  }
-  return notes;
-}
-
-// Where a stretch is so high that few would want the map.
-std::vector<std::string> warnings_of(const std::vector<Unwrapping>& unwrapped)
-{
-  constexpr double high = 2;
-  std::vector<std::string> warnings;
-  for (std::size_t i = 0; i < unwrapped.size(); ++i)
-  {
-    const double stretch = unwrapped[i].map.distortion.stretch_l2;
-    if (stretch <= high) { continue; }
-    std::ostringstream warning;
-    warning << "component " << i << ": the L2 stretch is " << stretch << ", more than " << high
-            << ": texture is smeared there";
-    warnings.push_back(warning.str());
-  }
-  return warnings;
-}
-
-// Where a stretch or a number of charts that was asked for was not reached, and why.
-std::vector<std::string> missed_of(const Unwrap_arguments& arguments, const std::vector<Unwrapping>& unwrapped,
-                                   const std::vector<Unwrap_options>& options)
-{
-  const double wanted = arguments.max_stretch.value_or(arguments.charts == 0 ? default_max_stretch_of_charts : 0);
-  std::vector<std::string> all;
-  for (std::size_t i = 0; i < unwrapped.size(); ++i)
-  {
-    const Unwrapping& u = unwrapped[i];
-    std::ostringstream missed;
-    missed << "component " << i << ": ";
-    if (arguments.charts > 1 && u.charts < static_cast<std::size_t>(arguments.charts))
-    {
-      missed << count_of(u.charts, "chart", "charts") << ", fewer than the " << arguments.charts
-             << " asked for; no arc divides any further";
-      all.push_back(missed.str());
-    }
-    else if (wanted > 0 && u.map.distortion.stretch_l2 > wanted)
-    {
-      missed << "the L2 stretch is " << u.map.distortion.stretch_l2 << ", more than the " << wanted
-             << " asked for; its cut was extended to " << count_of(u.extended, "vertex", "vertices")
-             << (u.extended >= static_cast<std::size_t>(options[i].extensions)
-                   ? ", and no more are tried"
-                   : ", and more of them gained too little");
-      if (arguments.charts == 0) { missed << "; it is divided into " << count_of(u.charts, "chart", "charts"); }
-      else { missed << "; --charts auto divides it"; }
-      all.push_back(missed.str());
-    }
-  }
-  return all;
-}
-
-// The files of a verified unwrapping, its report and its geometry image apart.
-void add_unwrapping(files::Output_files& out, const Unwrap_arguments& arguments, const Loaded_mesh& loaded,
-                    const Cut_result& result, const std::vector<Unwrapping>& unwrapped,
-                    const std::vector<Plane_point>& texture, const std::string& caption)
-{
-  namespace fs = std::filesystem;
-  const Result_mesh& mesh = result.assembled.mesh;
-  const std::string material = arguments.texture.empty() ? "" : beside(arguments, ".mtl");
-  out.add(arguments.out, files::format_unwrapped(loaded.soup, mesh, texture, loaded.attributes,
-                                                 fs::path(material).filename().string()));
-  out.add(files::map_path(arguments.out, arguments.map),
-          files::format_map(mesh, files::Result_kind::UNWRAPPING, arguments.map));
-  const auto faces = distortion_of_faces(result.assembled, texture, unwrapped);
-  std::vector<double> stretch;
-  for (const Face_distortion& f : faces) { stretch.push_back(std::min(f.stretch_l2, 1e30)); }
-  if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, texture, stretch)); }
-  if (!arguments.texture.empty())
-  {
-    out.add(arguments.texture, files::format_checkerboard(1024, 32));
-    const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(),
-                   image = fs::weakly_canonical(fs::absolute(arguments.texture));
-    out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
-  }
-  if (!arguments.distortion.empty()) { out.add(arguments.distortion, format_distortion(arguments, mesh, faces)); }
-  if (!arguments.curves.empty())
-  {
-    out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled)));
-  }
-  if (!arguments.view.empty())
-  {
-    out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption, mesh, texture, stretch));
-  }
-}
-
-// What was unwrapped, in one line.
-std::string caption_of(const Cut_result& result, const std::vector<Unwrapping>& unwrapped)
-{
-  std::size_t charts = 0;
-  double worst = 0;
-  for (const Unwrapping& u : unwrapped)
-  {
-    charts += u.charts;
-    worst = std::max(worst, u.map.distortion.stretch_l2);
-  }
-  std::ostringstream caption;
-  caption << count_of(unwrapped.size(), "component", "components") << ", genus " << result.genus << ", " << result.loops
-          << " boundary loops; ";
-  if (charts > unwrapped.size()) { caption << charts << " charts, "; }
-  caption << "cut length " << result.length << ", L2 stretch " << worst;
-  return caption.str();
 }
 
 // The options of each component.
@@ -449,91 +133,163 @@ std::vector<Unwrap_options> unwrap_options(const Unwrap_arguments& arguments, co
   return options;
 }
 
-// Names material libraries from where the result is, which may be another folder than that of the mesh.
-void move_libraries(const Unwrap_arguments& arguments, std::vector<std::string>& libraries)
+// Reads, cuts and maps.
+Unwrap_run start_run(const Unwrap_arguments& arguments, Terminal& terminal)
 {
-  namespace fs = std::filesystem;
-  const auto folder_of = [](const std::string& path) { return fs::weakly_canonical(fs::absolute(path)).parent_path(); };
-  const fs::path from = folder_of(arguments.mesh), to = folder_of(arguments.out);
-  if (from == to) { return; }
-  const auto move = [&](const std::string& name) { return (from / name).lexically_relative(to).generic_string(); };
-  for (std::string& library : libraries)
-  {
-    if (fs::exists(from / library))
-    {
-      library = move(library);
-      continue;
-    }
-    std::istringstream names(library); // of several
-    std::string moved;
-    for (std::string name; names >> name;) { moved += (moved.empty() ? "" : " ") + move(name); }
-    library = moved;
-  }
-}
-
-int run_unwrap(const Unwrap_arguments& arguments)
-{
-  check_unwrap_arguments(arguments);
-  Terminal terminal(arguments.quiet);
-  Loaded_mesh loaded = load_mesh(arguments, true);
-  move_libraries(arguments, loaded.attributes.libraries);
-  const auto& components = loaded.examination.components;
+  Unwrap_run run{arguments, load_mesh(arguments, true), {}, {}, {}, {}, {}, {}, {}};
+  move_libraries(arguments, run.loaded.attributes.libraries);
+  const auto& components = run.loaded.examination.components;
   if (arguments.geometry_image > 0 && components.size() > 1)
     throw Invalid_input_error("a geometry image holds one component; the mesh has "
                               + std::to_string(components.size()));
-  const std::vector<Cut_options> cuts = cut_options(arguments, loaded, terminal);
-  const std::vector<Unwrap_options> options = unwrap_options(arguments, loaded, cuts);
-  std::vector<Unwrapping> unwrapped;
+  const std::vector<Cut_options> cuts = cut_options(arguments, run.loaded, terminal);
+  run.options = unwrap_options(arguments, run.loaded, cuts);
   std::vector<Cut> found;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
     terminal.begin_component(i, components.size());
-    unwrapped.push_back(unwrap_surface(components[i].surface, options[i]));
-    found.push_back(std::move(unwrapped.back().cut));
+    run.unwrapped.push_back(unwrap_surface(components[i].surface, run.options[i]));
+    found.push_back(std::move(run.unwrapped.back().cut));
   }
-  Cut_result result = assemble_cut(loaded, std::move(found), cuts);
-  const std::vector<Plane_point> texture = pack(arguments, loaded, unwrapped, result.assembled);
-  const double gap = arguments.packing.padding / arguments.packing.resolution;
-  verify(result, terminal, [&](const Assembled_result& assembled) {
-    return verify_unwrapping(loaded.soup, assembled.mesh, texture, gap, arguments.packing.tiles);
-  });
-  const Result_mesh& mesh = result.assembled.mesh;
-  const Verification& verification = result.verification;
-  for (std::size_t i = 0; i < unwrapped.size(); ++i)
-  {
-    result.components[i]["parameterization"] = report_map(unwrapped[i], options[i], components[i].unit);
-  }
-  const std::vector<std::string> warnings = warnings_of(unwrapped), missed = missed_of(arguments, unwrapped, options);
-  Json report{{"meridian", MERIDIAN_VERSION},
-              {"input", report_input(arguments.mesh, loaded.soup, loaded.examination)},
-              {"components", result.components},
-              {"texture",
-               {{"coordinates", texture.size()},
-                {"coverage", area_of(mesh.faces, texture) / count_tiles(texture)},
-                {"tiles", count_tiles(texture)},
-                {"density", density_of(arguments, loaded, mesh, texture)},
-                {"flipped_in_single_precision", count_flipped_in_single_precision(mesh, texture)}}},
-              {"seconds", report_seconds(loaded, result)},
-              {"failures", verification.failures},
-              {"missed", missed},
-              {"warnings", warnings},
-              {"verified", verification && missed.empty()}};
+  run.result = assemble_cut(run.loaded, std::move(found), cuts);
+  return run;
+}
 
-  files::Output_files out;
-  if (verification && arguments.geometry_image > 0)
+// Gives the vertices of a result their texture coordinates, and its faces their charts, if a component has several.
+void place_texture(Unwrap_run& run)
+{
+  Assembled_result& assembled = run.result.assembled;
+  run.texture.assign(assembled.mesh.points.size(), {0, 0});
+  std::vector<std::int32_t> chart_of(assembled.mesh.points.size(), 0); // each vertex
+  std::size_t charts = 0;
+  for (std::size_t i = 0; i < run.unwrapped.size(); ++i)
   {
-    report["geometry_image"] = add_geometry_image(out, arguments, components.front(), unwrapped.front());
+    const Unwrapping& u = run.unwrapped[i];
+    const std::vector<Index>& place = assembled.place[i];
+    for (std::size_t v = 0; v < u.map.at.size(); ++v) { run.texture[place[v]] = u.map.at[v]; }
+    for (std::size_t f = 0; f < u.disc.triangles.size(); ++f)
+    {
+      const std::size_t chart = charts + (u.chart_of.empty() ? 0 : static_cast<std::size_t>(u.chart_of[f]));
+      for (Index v : u.disc.triangles[f]) { chart_of[place[v]] = static_cast<std::int32_t>(chart); }
+    }
+    charts += u.charts;
   }
+  if (charts == run.unwrapped.size()) { return; }
+  for (const auto& face : assembled.mesh.faces) { assembled.mesh.chart_of.push_back(chart_of[face[0]]); }
+}
+
+// Packs the maps of all components of all meshes into one texture.
+void pack(const Unwrap_arguments& arguments, std::vector<Unwrap_run>& runs)
+{
+  if (arguments.geometry_image == 0) // whose square stays as it is
+  {
+    std::vector<Unwrapping> all;
+    std::vector<double> units;
+    for (Unwrap_run& run : runs)
+    {
+      std::move(run.unwrapped.begin(), run.unwrapped.end(), std::back_inserter(all));
+      for (const Surface_component& c : run.loaded.examination.components) { units.push_back(c.unit); }
+    }
+    pack_unwrappings(all, units, arguments.packing);
+    auto next = all.begin();
+    for (Unwrap_run& run : runs)
+      for (Unwrapping& u : run.unwrapped) { u = std::move(*next++); }
+  }
+  for (Unwrap_run& run : runs) { place_texture(run); }
+}
+
+// Recounts a mesh, and reports it.
+void conclude(Unwrap_run& run, Terminal& terminal)
+{
+  const Unwrap_arguments& arguments = run.arguments;
+  verify(run.result, terminal, [&](const Assembled_result& assembled) {
+    return verify_unwrapping(run.loaded.soup, assembled.mesh, run.texture,
+                             arguments.packing.padding / arguments.packing.resolution, arguments.packing.tiles);
+  });
+  report_run(run);
+}
+
+// Whether charts of different meshes are apart in the texture that they share.
+Verification verify_atlas(const std::vector<Unwrap_run>& runs)
+{
+  constexpr double least_gap = 1e-12; // where none is asked for
+  std::vector<std::array<Index, 3>> faces;
+  std::vector<Plane_point> texture;
+  for (const Unwrap_run& run : runs)
+  {
+    const auto first = static_cast<Index>(texture.size());
+    for (const auto& f : run.result.assembled.mesh.faces)
+    {
+      faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+    }
+    texture.insert(texture.end(), run.texture.begin(), run.texture.end());
+  }
+  const Pack_options& packing = runs.front().arguments.packing;
+  return verify_packing(faces, texture, std::max(packing.padding / packing.resolution, least_gap), packing.tiles);
+}
+
+// The words of one mesh among several.
+void append(Last_words& words, const std::string& mesh, const Last_words& of_mesh)
+{
+  const auto add = [&](std::vector<std::string>& all, const std::vector<std::string>& more) {
+    for (const std::string& line : more) { all.push_back(mesh + ": " + line); }
+  };
+  add(words.repairs, of_mesh.repairs);
+  add(words.notes, of_mesh.notes);
+  add(words.missed, of_mesh.missed);
+  words.notes.push_back(mesh + ": " + of_mesh.summary);
+}
+
+// Several meshes in one texture.
+int conclude_atlas(const Unwrap_arguments& arguments, std::vector<Unwrap_run>& runs, Terminal& terminal)
+{
+  Verification all = verify_atlas(runs);
+  for (Unwrap_run& run : runs)
+  {
+    conclude(run, terminal);
+    for (const std::string& failure : run.result.verification.failures)
+    {
+      all.failures.push_back(run.arguments.mesh + ": " + failure);
+    }
+  }
+  files::Output_files out;
+  Last_words words;
+  Json reports = Json::array();
+  double filled = 0;
+  for (Unwrap_run& run : runs)
+  {
+    if (!all) { run.result.verification.failures.emplace_back("a mesh of the same texture is not verified"); }
+    if (run.result.verification) { add_files(out, run); }
+    append(words, run.arguments.mesh, words_of(run));
+    reports.push_back(run.report);
+    filled += area_of(run.result.assembled.mesh.faces, run.texture);
+  }
+  const Json report{{"meridian", MERIDIAN_VERSION},
+                    {"meshes", reports},
+                    {"failures", all.failures},
+                    {"verified", all && words.missed.empty()}};
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
-  const std::string caption = caption_of(result, unwrapped);
-  std::vector<std::string> notes = notes_of(unwrapped, warnings, report);
-  if (has_given_seams(arguments)) { notes.push_back(describe_completion(options, result.cuts)); }
-  if (verification) { add_unwrapping(out, arguments, loaded, result, unwrapped, texture, caption); }
-  return end_run(arguments, verification, out, terminal,
-                 {loaded.examination.repairs, notes,
-                  caption + (verification ? "; no face is turned over" : "")
-                    + (warnings.empty() ? "" : "; WARNING: stretched to more than 2"),
-                  missed});
+  std::ostringstream summary;
+  summary << runs.size() << " meshes in one texture, " << filled << " of it filled";
+  words.summary = summary.str();
+  return end_run(arguments, all, out, terminal, words);
+}
+
+int run_unwrap(const Unwrap_arguments& arguments)
+{
+  const std::vector<Unwrap_arguments> each = arguments_of_each(arguments);
+  Terminal terminal(arguments.quiet);
+  std::vector<Unwrap_run> runs;
+  runs.reserve(each.size());
+  for (const Unwrap_arguments& a : each) { runs.push_back(start_run(a, terminal)); }
+  pack(arguments, runs);
+  if (runs.size() > 1) { return conclude_atlas(arguments, runs, terminal); }
+  Unwrap_run& run = runs.front();
+  conclude(run, terminal);
+  files::Output_files out;
+  if (run.result.verification) { add_files(out, run); }
+  if (!arguments.report.empty()) { out.add(arguments.report, format_report(run.report)); }
+  return end_run(arguments, run.result.verification, out, terminal, words_of(run));
 }
 
 void add_picture_options(CLI::App& command, Unwrap_arguments& a)
@@ -604,12 +360,14 @@ Command add_unwrap(CLI::App& app)
   const auto a = std::make_shared<Unwrap_arguments>();
   CLI::App* command = app.add_subcommand(
     "unwrap", "cut a mesh and give it texture coordinates: a chart for each component, without flipped faces");
-  command->add_option("MESH", a->mesh, "the mesh file")->required();
+  command->add_option("MESH", a->meshes, "the mesh file, or several that shall share a texture")->required();
   command
-    ->add_option("-o,--output", a->out,
-                 "the mesh with texture coordinates: OBJ; vertices are not doubled, seams are in the coordinates")
+    ->add_option(
+      "-o,--output", a->outs,
+      "the mesh with texture coordinates, one for each MESH: OBJ; vertices are not doubled, seams are in the "
+      "coordinates")
     ->required()
-    ->type_name("OUT.obj");
+    ->type_name("OUT.obj...");
   add_choice(*command, "--parameterization", a->parameterization, "how discs are mapped into the plane")
     ->group("The map");
   add_choice(*command, "--border", a->border,

@@ -9,6 +9,7 @@
 
 #include <meridian/base/vectors.h>
 #include <meridian/proof/verify_packing.h>
+#include <meridian/surface/Triangle_surface.h>
 
 #include <nlohmann/json.hpp>
 
@@ -123,6 +124,46 @@ BOOST_FIXTURE_TEST_CASE(a_map_that_was_packed_again_is_still_verified, Fixture)
   const auto r = meridian("pack uv.obj -o packed/uv.obj --resolution 512 --padding 8");
   BOOST_TEST(r.status == 0, r.error);
   BOOST_TEST(meridian("verify mesh.obj packed/uv.obj").status == 0);
+}
+
+BOOST_FIXTURE_TEST_CASE(several_meshes_are_unwrapped_into_one_texture, Fixture)
+{
+  const Triangle_surface plate = sample::noisy(sample::plate(2, 3), 0.05, 1);
+  write("plate.obj", written::obj(plate));
+  write("ball.obj", written::obj(sample::scaled(sample::sphere(3), 2)));
+  const auto r =
+    meridian("unwrap plate.obj ball.obj -o a.obj b.obj --charts 3 --padding 8 --resolution 512 --report r.json");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_TEST(contains(r.out, "2 meshes in one texture"), r.out);
+  BOOST_TEST(meridian("verify plate.obj a.obj").status == 0);
+  BOOST_TEST(meridian("verify ball.obj b.obj").status == 0);
+  Triangles faces;
+  std::vector<Plane_point> texture;
+  for (const std::string name : {"a.obj", "b.obj"})
+  {
+    const files::Texture_text of_mesh(name, text(name));
+    const auto first = static_cast<Index>(texture.size());
+    for (const auto& t : of_mesh.texture_triangles()) { faces.push_back({t[0] + first, t[1] + first, t[2] + first}); }
+    texture.insert(texture.end(), of_mesh.texture().begin(), of_mesh.texture().end());
+  }
+  BOOST_TEST(verify_packing(faces, texture, 8. / 512).failures.empty());
+  const auto report = nlohmann::json::parse(text("r.json"));
+  BOOST_TEST_REQUIRE(report["meshes"].size() == 2u);
+  BOOST_TEST(report["verified"] == true);
+  const auto& texture_of = [&](int i) { return report["meshes"][i]["texture"]; };
+  BOOST_TEST(texture_of(0)["density"].get<double>() == texture_of(1)["density"].get<double>(),
+             boost::test_tools::tolerance(1e-6));
+  BOOST_TEST(texture_of(0)["coverage"].get<double>() + texture_of(1)["coverage"].get<double>() > 0.3);
+
+  // a wish that one of them misses is missed by all, and nothing else is written if one of them cannot be
+  BOOST_TEST(meridian("unwrap plate.obj ball.obj -o a.obj b.obj --max-stretch 1.0001").status == 2);
+  BOOST_TEST(meridian("unwrap plate.obj none.obj -o c.obj d.obj").status == 1);
+  for (const std::string wrong : {"-o c.obj", "-o c.obj c.obj", "-o c.obj ball.obj", "-o c.obj d.obj --svg d.svg",
+                                  "-o c.obj d.obj --geometry-image 33", "-o c.obj d.obj --seams paths.txt"})
+  {
+    BOOST_TEST(meridian("unwrap plate.obj ball.obj " + wrong).status == 64, wrong);
+  }
+  BOOST_TEST(!std::filesystem::exists(folder() / "c.obj"));
 }
 
 BOOST_FIXTURE_TEST_CASE(what_cannot_be_packed_is_refused, Fixture)

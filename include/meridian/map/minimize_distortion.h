@@ -41,8 +41,8 @@ class Distortion_minimizer
 {
 public:
   // `options`: all but its limits. `is_near`: whether the map has the shape that it will have, but for small parts.
-  // Then what is outside resists less to begin with, and squeezed vertices are moved one by one before a step, if they were
-  // in the way of the last. From far away that would only crumple the border.
+  // Then what is outside resists less to begin with, and squeezed vertices are moved one by one before a step, if they
+  // were in the way of the last. From far away that would only crumple the border.
   Distortion_minimizer(const Triangle_surface& disc, std::vector<Plane_point>& at, const Distortion_options& options,
                        bool is_near = false);
 
