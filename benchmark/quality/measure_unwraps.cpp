@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -59,8 +60,10 @@ Textured read(const fs::path& path)
     else if (word == "f")
     {
       std::vector<std::array<Index, 2>> corners;
-      char slash = 0;
-      for (std::array<Index, 2> c; words >> c[0] >> slash >> c[1];) { corners.push_back({c[0] - 1, c[1] - 1}); }
+      for (std::array<Index, 2> c; words >> word && std::sscanf(word.c_str(), "%d/%d", &c[0], &c[1]) == 2;)
+      {
+        corners.push_back({c[0] - 1, c[1] - 1});
+      }
       for (std::size_t k = 1; k + 1 < corners.size(); ++k)
       {
         const std::array<std::array<Index, 2>, 3> fan{corners[0], corners[k], corners[k + 1]};

@@ -144,13 +144,14 @@ private:
   // Those of several that lead to the smallest squares.
   std::vector<Variation> find_best_variations()
   {
-    constexpr std::size_t many = 100;          // charts are too small for such a grid
-    constexpr std::size_t few = 5, work = 640; // charts that are placed there
-    const auto tries = std::min(static_cast<std::size_t>(m_options.tries), work / m_charts.size());
+    // what is placed there, and on the fine grid: how charts begin matters less the more there are
+    constexpr std::size_t coarse_work = 640, fine_work = 40, most = 5;
+    const std::size_t n = m_charts.size(), few = std::min(most, fine_work / n),
+                      tries = few > 0 ? std::min(static_cast<std::size_t>(m_options.tries), coarse_work / n) : 0;
     std::vector<Variation> all;
     std::map<std::array<double, 3>, Chart_cells> known; // by the chart and the direction
     find_unit(0.6);
-    for (int i = 1; i < static_cast<int>(tries) && m_charts.size() <= many; ++i)
+    for (int i = 1; i < static_cast<int>(tries); ++i)
     {
       vary(i);
       all.push_back({0, i, std::vector<Plane_point>(m_charts.size())});

@@ -24,7 +24,7 @@ struct Pack_options
 {
   int resolution = 2048; ///< texels along a side of the square
   double padding = 2;    ///< texels between two charts, at least
-  int tries = 64;        ///< ways to begin that are compared on a coarse grid, if there are no more than 100 charts
+  int tries = 64;        ///< ways to begin that are compared on a coarse grid, fewer of many charts
   double density = 0;    ///< texels along a unit of length; 0: as many as fit
   /// with `density`: how many squares there may be. Number `t` is moved by `t % 10` to the right and `t / 10` up, as is
   /// the custom of UDIM
