@@ -64,6 +64,34 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(halfedges_receive_texture_coordinates, TriangleMes
   BOOST_TEST((by_default == uv));
 }
 
+// A band around the tube of a torus is one chart, the rest another; no other edge is a seam but one link in each.
+BOOST_AUTO_TEST_CASE_TEMPLATE(constrained_edges_are_seams_of_an_unwrapping, TriangleMesh, Mesh_types)
+{
+  using Graph = boost::graph_traits<TriangleMesh>;
+  const auto tm = build_mesh<TriangleMesh>(sample::torus(12, 8));
+  std::map<typename Graph::face_descriptor, bool> is_in_band;
+  int f = 0;
+  for (auto face : faces(tm)) { is_in_band[face] = f++ < 4 * 16; }
+  std::map<typename Graph::edge_descriptor, bool> is_seam;
+  for (auto e : edges(tm))
+  {
+    const auto h = halfedge(e, tm);
+    is_seam[e] = is_in_band[face(h, tm)] != is_in_band[face(opposite(h, tm), tm)];
+  }
+  std::map<typename Graph::halfedge_descriptor, Kernel::Point_2> uv;
+  const Unwrapping u = unwrap(tm, boost::make_assoc_property_map(uv),
+                              parameters::edge_is_constrained_map(boost::make_assoc_property_map(is_seam)));
+  BOOST_TEST(u.charts == 2u);
+  BOOST_TEST(curves_of(u.cut, Curve_kind::SEAM).size() == 2u);
+  BOOST_TEST(curves_of(u.cut, Curve_kind::LINK).size() == 2u);
+  BOOST_TEST(u.cut.curves.size() == 4u);
+  for (const auto& [e, is_given] : is_seam)
+  {
+    const auto h = halfedge(e, tm);
+    if (is_given) { BOOST_TEST((uv[h] != uv[prev(opposite(h, tm), tm)])); }
+  }
+}
+
 // Known answer: contours of the height of a torus on edge are two level circles around its tube, one on each side.
 BOOST_AUTO_TEST_CASE_TEMPLATE(maps_give_fields_and_weights, TriangleMesh, Mesh_types)
 {

@@ -37,7 +37,8 @@ namespace meridian {
  * \param tm the mesh
  * \param uv receives, for each halfedge of a face, the coordinates of its target in that face
  * \param np optional: `unwrap_options` (an `Unwrap_options`; `cut.on_edges` is taken as set, and its vertices are
- *   numbered in the order of `vertices(tm)`), `vertex_point_map`, `sparse_linear_solver`, `visitor`
+ *   numbered in the order of `vertices(tm)`), `edge_is_constrained_map` (a `ReadablePropertyMap` from edges to `bool`:
+ *   seams that are given, in place of `Unwrap_options::seams`), `vertex_point_map`, `sparse_linear_solver`, `visitor`
  * \returns the cut and its map, packed, recounted
  * \throws Invalid_input_error if the mesh is not connected, or too coarse for a cut of edges; Solver_error if no map
  *   without flipped faces is found; Cancelled
@@ -48,12 +49,21 @@ template <class TriangleMesh, class HalfedgeUVMap, class NamedParameters = CGAL:
 Unwrapping unwrap(const TriangleMesh& tm, HalfedgeUVMap uv,
                   const NamedParameters& np = CGAL::parameters::default_values())
 {
-  internal::check_parameters<CGAL::internal_np::vertex_point_t, CGAL::internal_np::sparse_linear_solver_t,
-                             CGAL::internal_np::visitor_t, internal_np::unwrap_options_t>(np);
+  internal::check_parameters<CGAL::internal_np::vertex_point_t, CGAL::internal_np::edge_is_constrained_t,
+                             CGAL::internal_np::sparse_linear_solver_t, CGAL::internal_np::visitor_t,
+                             internal_np::unwrap_options_t>(np);
   using CGAL::parameters::choose_parameter;
   using CGAL::parameters::get_parameter;
   const Triangle_surface root = internal::read_surface(tm, np);
   Unwrap_options options = choose_parameter(get_parameter(np, internal_np::unwrap_options), Unwrap_options());
+  internal::if_given(get_parameter(np, CGAL::internal_np::edge_is_constrained), [&](auto is_seam) {
+    const auto all = internal::halfedges_of(tm);
+    options.seams.clear();
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      if (get(is_seam, edge(all[i], tm)) && root.opposite[i] >= 0) { options.seams.push_back(static_cast<Index>(i)); }
+    }
+  });
   options.cut = internal::with_run(std::move(options.cut), np);
   options.map.make_solver = internal::solvers_of(np, {options.map.make_solver, {}}).symmetric;
   options.cut.on_edges = true;
