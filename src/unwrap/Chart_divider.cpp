@@ -19,6 +19,7 @@
 #include <meridian/surface/insert_curves.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/seams.h>
+#include <meridian/unwrap/carry_map.h>
 #include <meridian/unwrap/extend_cut.h>
 #include <meridian/unwrap/plan_extensions.h>
 
@@ -160,7 +161,15 @@ void Chart_divider::cut()
   if (other.length <= most) { m_result.cut = std::move(other); }
 }
 
-void Chart_divider::update_charts()
+std::vector<Plane_point> Chart_divider::joined_maps() const
+{
+  std::vector<Plane_point> at(m_result.disc.number_of_vertices(), {0, 0});
+  for (const Chart& c : m_charts)
+    for (std::size_t v = 0; v < c.piece.vertices.size(); ++v) { at[c.piece.vertices[v]] = c.map.at[v]; }
+  return at;
+}
+
+void Chart_divider::update_charts(const std::vector<Plane_point>& drawn)
 {
   m_result.disc = surface_of(m_result.cut.surface, m_result.cut.opened);
   std::map<Index, Chart> known; // by the first face
@@ -185,7 +194,13 @@ void Chart_divider::update_charts()
     m_charts.emplace_back();
     m_charts.back().piece = std::move(piece);
     m_charts.back().area = area(m_charts.back().piece.surface);
-    unfold(m_charts.back());
+    Chart& chart = m_charts.back();
+    if (drawn.empty()) { unfold(chart); }
+    else
+    {
+      for (Index v : chart.piece.vertices) { chart.unfolded.push_back(drawn[v]); }
+      chart.excess = bounded_excess(chart.piece.surface, chart.unfolded);
+    }
     m_progress(m_done); // for who wants to end the run
   }
 }
@@ -298,10 +313,13 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
     if (!chart.is_whole) { arcs.push_back(carry_over(std::move(arc))); }
   }
   if (arcs.empty()) { return false; }
+  const bool has_maps = !m_charts.front().map.at.empty(); // all or none
+  const Cut before = has_maps ? m_result.cut : Cut();
+  const std::vector<Plane_point> at = has_maps ? joined_maps() : std::vector<Plane_point>();
   Insertion done = insert_curves(m_root, m_result.cut.surface, arcs);
   add_curves(m_result.cut, Curve_kind::ARC, std::move(done.vertices));
   open_cut(m_result.cut);
-  update_charts();
+  update_charts(has_maps ? draw_curves(before, at, m_result.cut, done.parent) : std::vector<Plane_point>());
   return true;
 }
 

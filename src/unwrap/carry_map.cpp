@@ -44,30 +44,6 @@ Plane_point place_on_side(const Cut& before, const std::vector<Plane_point>& at,
   return place;
 }
 
-// Draws the new disc into the map: its border meets itself along the new paths.
-std::vector<Plane_point> draw_paths(const Cut& before, const std::vector<Plane_point>& at, const Cut& after,
-                                    const std::vector<Index>& parents)
-{
-  const Index old_faces = before.surface.number_of_faces(), old_vertices = before.surface.number_of_vertices();
-  std::vector<Plane_point> drawn(after.surface.number_of_vertices() + after.opened.copy_of.size(), {0, 0});
-  for (Index f = 0; f < after.surface.number_of_faces(); ++f)
-  {
-    Index parent = f;
-    while (parent >= old_faces) { parent = parents[parent - old_faces]; }
-    for (Index v : after.opened.triangles[f])
-    {
-      const Index w = original(after, v);
-      const auto& corners = before.opened.triangles[parent];
-      const auto corner =
-        std::find_if(corners.begin(), corners.end(), [&](Index u) { return original(before, u) == w; });
-      drawn[v] = w < old_vertices && corner != corners.end()
-                   ? at[*corner]
-                   : place_on_side(before, at, parent, after.surface.points[w]);
-    }
-  }
-  return drawn;
-}
-
 // Moves a vertex of the border along the bisector of its angle, `part` of the shortest edge there at most, as far as
 // all faces around it stay upright. `drawn`: where all were before any moved.
 void move_inside(const Triangle_surface& disc, Index in, Index out, const std::vector<Plane_point>& drawn, double part,
@@ -97,12 +73,35 @@ void move_inside(const Triangle_surface& disc, Index in, Index out, const std::v
 
 } // namespace
 
+std::vector<Plane_point> draw_curves(const Cut& before, const std::vector<Plane_point>& at, const Cut& after,
+                                     const std::vector<Index>& parents)
+{
+  const Index old_faces = before.surface.number_of_faces(), old_vertices = before.surface.number_of_vertices();
+  std::vector<Plane_point> drawn(after.surface.number_of_vertices() + after.opened.copy_of.size(), {0, 0});
+  for (Index f = 0; f < after.surface.number_of_faces(); ++f)
+  {
+    Index parent = f;
+    while (parent >= old_faces) { parent = parents[parent - old_faces]; }
+    for (Index v : after.opened.triangles[f])
+    {
+      const Index w = original(after, v);
+      const auto& corners = before.opened.triangles[parent];
+      const auto corner =
+        std::find_if(corners.begin(), corners.end(), [&](Index u) { return original(before, u) == w; });
+      drawn[v] = w < old_vertices && corner != corners.end()
+                   ? at[*corner]
+                   : place_on_side(before, at, parent, after.surface.points[w]);
+    }
+  }
+  return drawn;
+}
+
 } // namespace internal
 
 std::vector<Plane_point> carry_map(const Cut& before, const std::vector<Plane_point>& at, const Cut& after,
                                    const Triangle_surface& disc, const std::vector<Index>& parents)
 {
-  const std::vector<Plane_point> drawn = internal::draw_paths(before, at, after, parents);
+  const std::vector<Plane_point> drawn = internal::draw_curves(before, at, after, parents);
   const std::vector<Index> loop = boundary_loops(disc).front();
   std::vector<Index> copies(after.surface.number_of_vertices(), 0); // of each vertex of a new path
   std::vector<char> is_new(after.surface.number_of_vertices(), 0);

@@ -10,6 +10,15 @@
 
 namespace meridian {
 
+namespace internal {
+
+// The image of each vertex of what a cut surface is opened to after further curves were inserted: where they are drawn
+// into the map of the discs before. The two sides of a curve lie on each other. For the parameters see `carry_map()`.
+std::vector<Plane_point> draw_curves(const Cut& before, const std::vector<Plane_point>& at, const Cut& after,
+                                     const std::vector<Index>& parents);
+
+} // namespace internal
+
 /*!
  * \ingroup PkgMeridianParameterization
  *

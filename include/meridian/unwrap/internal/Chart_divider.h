@@ -42,8 +42,11 @@ private:
 
   // Cuts it into one disc, or along seams.
   void cut();
-  // Takes the surface apart. Charts that are as they were keep what is known of them.
-  void update_charts();
+  // Takes the surface apart. Charts that are as they were keep what is known of them; of others the map begins where
+  // they are drawn, or, if that is nowhere, where they are unfolded.
+  void update_charts(const std::vector<Plane_point>& drawn = {});
+  // The maps of all charts, over each other.
+  std::vector<Plane_point> joined_maps() const;
   void unfold(Chart& chart) const;
   // The square of the L2 stretch of all charts less 1.
   double excess() const;
