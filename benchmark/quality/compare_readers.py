@@ -57,7 +57,8 @@ def counts_in_text(path):
         vertices, faces = (re.search(rb'element ' + e + rb' (\d+)', data).group(1) for e in (b'vertex', b'face'))
     else:
         vertices, faces = (re.search(n + rb'="(\d+)"', data).group(1) for n in (b'NumberOfPoints', b'NumberOfPolys'))
-    return [int(vertices), int(faces), 0]
+    is_textured = b'property double s\n' in data[:1000] or b'TCoords' in data
+    return [int(vertices), int(faces), int(vertices) if is_textured else 0]
 
 
 def counts_of_assimp(path):
@@ -81,8 +82,8 @@ def counts_of_vtk(path):
     reader.Update()
     mesh = reader.GetOutput()
     texture = mesh.GetPointData().GetTCoords()
-    if not texture:
-        return [mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys(), 0]
+    if not texture: # of PLY files it does not read s and t
+        return [mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys(), None if path.endswith('.ply') else 0]
     corners = {mesh.GetPoint(i) + texture.GetTuple2(i) for i in range(mesh.GetNumberOfPoints())}
     return [None, mesh.GetNumberOfPolys(), len(corners)]
 
@@ -101,11 +102,11 @@ def write_all(program, mesh, folder):
     for path in files.values():
         subprocess.run([program, 'cut', mesh, '-o', path, '--quiet'], check=True)
     files.update({'unwrap obj': f'{stem}.uv.obj', 'distortion ply': f'{stem}.d.ply', 'distortion vtp': f'{stem}.d.vtp',
-                  'charts obj': f'{stem}.charts.obj', 'pack obj': f'{stem}.packed.obj'})
+                  'doubled ply': f'{stem}.2.ply', 'doubled vtp': f'{stem}.2.vtp', 'charts obj': f'{stem}.charts.obj', 'pack obj': f'{stem}.packed.obj'})
     subprocess.run([program, 'unwrap', mesh, '-o', files['unwrap obj'], '--png', f'{stem}.png', '--quiet',
-                    '--distortion', files['distortion ply']], check=True)
+                    '--distortion', files['distortion ply'], '--doubled', files['doubled ply']], check=True)
     subprocess.run([program, 'unwrap', mesh, '-o', files['charts obj'], '--charts', 'auto', '--quiet',
-                    '--distortion', files['distortion vtp']], check=True)
+                    '--distortion', files['distortion vtp'], '--doubled', files['doubled vtp']], check=True)
     subprocess.run([program, 'pack', files['charts obj'], '-o', files['pack obj'], '--quiet'], check=True)
     return files
 

@@ -24,7 +24,7 @@ namespace {
 // Of a text: most numbers have no more digits than this allows for.
 std::size_t likely_size(const Result_mesh& m) { return 64 * m.points.size() + 28 * m.faces.size(); }
 
-std::string format_off(const Result_mesh& m, const std::vector<Face_values>&)
+std::string format_off(const Result_mesh& m, const std::vector<Face_values>&, const Vertex_texture&)
 {
   Text out;
   out.reserve(likely_size(m));
@@ -34,7 +34,7 @@ std::string format_off(const Result_mesh& m, const std::vector<Face_values>&)
   return out.take();
 }
 
-std::string format_obj(const Result_mesh& m, const std::vector<Face_values>&)
+std::string format_obj(const Result_mesh& m, const std::vector<Face_values>&, const Vertex_texture&)
 {
   Text out;
   out.reserve(likely_size(m));
@@ -43,22 +43,28 @@ std::string format_obj(const Result_mesh& m, const std::vector<Face_values>&)
   return out.take();
 }
 
-std::string format_ply(const Result_mesh& m, const std::vector<Face_values>& values)
+std::string format_ply(const Result_mesh& m, const std::vector<Face_values>& values, const Vertex_texture& texture)
 {
+  const bool is_textured = !texture.at.empty();
   Text head;
   head << "ply\nformat binary_little_endian 1.0\nelement vertex " << m.points.size()
-       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << m.faces.size()
-       << "\nproperty list uchar int vertex_indices\n";
+       << "\nproperty double x\nproperty double y\nproperty double z"
+       << (is_textured ? "\nproperty double s\nproperty double t\nproperty int vertex" : "") << "\nelement face "
+       << m.faces.size() << "\nproperty list uchar int vertex_indices\n";
   for (const Face_values& v : values) { head << "property double " << v.name << '\n'; }
   head << "end_header\n";
   std::string out = head.take();
   const std::size_t begin = out.size();
-  out.resize(begin + m.points.size() * 24 + m.faces.size() * (13 + 8 * values.size()));
+  out.resize(begin + m.points.size() * (is_textured ? 44 : 24) + m.faces.size() * (13 + 8 * values.size()));
   char* at = &out[begin];
-  for (const auto& p : m.points)
+  for (std::size_t v = 0; v < m.points.size(); ++v)
   {
-    std::memcpy(at, p.data(), 24);
+    std::memcpy(at, m.points[v].data(), 24);
     at += 24;
+    if (!is_textured) { continue; }
+    std::memcpy(at, texture.at[v].data(), 16);
+    std::memcpy(at + 16, &texture.vertex[v], 4);
+    at += 20;
   }
   for (std::size_t f = 0; f < m.faces.size(); ++f)
   {
@@ -74,7 +80,7 @@ std::string format_ply(const Result_mesh& m, const std::vector<Face_values>& val
   return out;
 }
 
-std::string format_vtp(const Result_mesh& m, const std::vector<Face_values>& values)
+std::string format_vtp(const Result_mesh& m, const std::vector<Face_values>& values, const Vertex_texture& texture)
 {
   Text out;
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" "
@@ -87,6 +93,15 @@ std::string format_vtp(const Result_mesh& m, const std::vector<Face_values>& val
   out << "</DataArray>\n<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">\n";
   for (std::size_t i = 1; i <= m.faces.size(); ++i) { out << 3 * i << '\n'; }
   out << "</DataArray>\n</Polys>\n";
+  if (!texture.at.empty())
+  {
+    out << "<PointData TCoords=\"texture\">\n<DataArray type=\"Float64\" Name=\"texture\" NumberOfComponents=\"2\" "
+           "format=\"ascii\">\n";
+    for (const auto& p : texture.at) { out << p[0] << ' ' << p[1] << '\n'; }
+    out << "</DataArray>\n<DataArray type=\"Int32\" Name=\"vertex\" format=\"ascii\">\n";
+    for (std::int32_t v : texture.vertex) { out << v << '\n'; }
+    out << "</DataArray>\n</PointData>\n";
+  }
   if (!values.empty()) { out << "<CellData>\n"; }
   for (const Face_values& v : values)
   {
@@ -99,7 +114,7 @@ std::string format_vtp(const Result_mesh& m, const std::vector<Face_values>& val
   return out.take();
 }
 
-using Formatter = std::string (*)(const Result_mesh&, const std::vector<Face_values>&);
+using Formatter = std::string (*)(const Result_mesh&, const std::vector<Face_values>&, const Vertex_texture&);
 
 Formatter formatter(const std::string& path)
 {
@@ -126,9 +141,10 @@ Formatter formatter(const std::string& path)
 
 void check_writable_format(const std::string& path) { formatter(path); }
 
-std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values)
+std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values,
+                        const Vertex_texture& texture)
 {
-  return formatter(path)(mesh, values);
+  return formatter(path)(mesh, values, texture);
 }
 
 std::string format_curves(const std::vector<Point>& points, const std::vector<Result_curve>& curves)
@@ -153,7 +169,7 @@ std::string format_curves(const std::vector<Point>& points, const std::vector<Re
 std::string format_mesh_with_curves(const Result_mesh& mesh, const std::vector<Result_curve>& curves)
 {
   Text out;
-  out << format_obj(mesh, {});
+  out << format_obj(mesh, {}, {});
   for (const Result_curve& c : curves)
   {
     out << "g " << c.name << "\nl";

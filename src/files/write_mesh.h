@@ -21,9 +21,17 @@ struct Face_values
   std::vector<double> values;
 };
 
+// Texture coordinates of each vertex of a mesh, and the number that it has where vertices are not doubled.
+struct Vertex_texture
+{
+  std::vector<Plane_point> at;
+  std::vector<std::int32_t> vertex;
+};
+
 // The bytes of a mesh file in the format of `path`: OFF, OBJ, PLY (binary) or VTP. Text has the shortest digits that
-// read back to the same number. Values are for PLY and VTP.
-std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values = {});
+// read back to the same number. Values and texture coordinates are for PLY and VTP.
+std::string format_mesh(const std::string& path, const Result_mesh& mesh, const std::vector<Face_values>& values = {},
+                        const Vertex_texture& texture = {});
 
 // The points of curves and one line element a curve, as OBJ.
 std::string format_curves(const std::vector<Point>& points, const std::vector<Result_curve>& curves);

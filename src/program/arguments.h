@@ -65,11 +65,11 @@ struct Unwrap_arguments : Cut_arguments // with a family, the best of its member
   Map_border border = Map_border::FREE;
   bool has_border = false;
   double stretch_weight = 0;
-  std::optional<double> max_stretch;       // 0: the shortest seams
-  std::string layout, texture, distortion; // paths, or empty
-  int geometry_image = 0;                  // pixels along a side, or 0
-  int charts = 1;                          // 0: as many as are needed
-  std::string seams;                       // `uv`, `sharp:ANGLE`, a path, or empty
+  std::optional<double> max_stretch;                // 0: the shortest seams
+  std::string layout, texture, distortion, doubled; // paths, or empty
+  int geometry_image = 0;                           // pixels along a side, or 0
+  int charts = 1;                                   // 0: as many as are needed
+  std::string seams;                                // `uv`, `sharp:ANGLE`, a path, or empty
   std::optional<Chart_per> chart_per;
   Pack_options packing;
 };

@@ -50,6 +50,9 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const auto format = files::format_of(a.distortion);
   forbid(!a.distortion.empty() && !(format && files::holds_face_values(*format)),
          "--distortion writes PLY or VTP, which can hold values of faces");
+  const auto format_of_doubled = files::format_of(a.doubled);
+  forbid(!a.doubled.empty() && !(format_of_doubled && files::holds_face_values(*format_of_doubled)),
+         "--doubled writes PLY or VTP, which can hold texture coordinates of vertices");
   forbid(a.charts != 1 && a.geometry_image > 0, "--geometry-image is one chart; leave out --charts");
   forbid(a.charts != 1 && (a.family > 1 || a.stretch_weight > 0),
          "--family and --stretch-weight compare cuts into one chart; leave out --charts");
@@ -81,9 +84,10 @@ std::vector<Unwrap_arguments> arguments_of_each(const Unwrap_arguments& a)
   };
   forbid(a.outs.size() != n, "as many names are needed behind -o as there are meshes: " + std::to_string(n));
   const bool has_seams_of_one = !a.seams.empty() && !is_kind_of_seam(a.seams);
-  for (const std::string& path : {a.view, a.curves, a.layout, a.texture, a.distortion})
+  for (const std::string& path : {a.view, a.curves, a.layout, a.texture, a.distortion, a.doubled})
   {
-    forbid(n > 1 && !path.empty(), "pictures, curves and pages are of one mesh; leave them out for several");
+    forbid(n > 1 && !path.empty(),
+           "pictures, curves, pages and doubled vertices are of one mesh; leave them out for several");
   }
   forbid(n > 1 && (a.geometry_image > 0 || has_seams_of_one),
          "geometry images and paths of seams are of one mesh; leave them out for several");
@@ -302,6 +306,11 @@ void add_picture_options(CLI::App& command, Unwrap_arguments& a)
     ->type_name("FILE")
     ->group("Pictures");
   command.add_option("--distortion", a.distortion, "write the mesh as PLY or VTP with the distortion of each face")
+    ->type_name("FILE")
+    ->group("Pictures");
+  command
+    .add_option("--doubled", a.doubled,
+                "write the mesh as PLY or VTP with a vertex for each of its texture coordinates, and its number in OUT")
     ->type_name("FILE")
     ->group("Pictures");
   command

@@ -123,8 +123,8 @@ std::string format_distortion(const Unwrap_arguments& arguments, const Result_me
 
 std::vector<std::string> written_for(const Unwrap_arguments& a)
 {
-  std::vector<std::string> written{a.out,       files::map_path(a.out, a.map), a.view, a.curves, a.layout, a.texture,
-                                   a.distortion};
+  std::vector<std::string> written{
+    a.out, files::map_path(a.out, a.map), a.view, a.curves, a.layout, a.texture, a.distortion, a.doubled};
   if (!a.texture.empty()) { written.push_back(beside(a, ".mtl")); }
   if (a.geometry_image > 0)
   {
@@ -183,6 +183,15 @@ void add_files(files::Output_files& out, Unwrap_run& run)
     out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
   }
   if (!arguments.distortion.empty()) { out.add(arguments.distortion, format_distortion(arguments, mesh, faces)); }
+  if (!arguments.doubled.empty())
+  {
+    files::Vertex_texture doubled{texture, {}};
+    for (std::size_t v = 0; v < texture.size(); ++v)
+    {
+      doubled.vertex.push_back(mesh.copy_of[v] < 0 ? static_cast<Index>(v) : mesh.copy_of[v]);
+    }
+    out.add(arguments.doubled, files::format_mesh(arguments.doubled, mesh, {}, doubled));
+  }
   if (!arguments.curves.empty())
   {
     out.add(arguments.curves, files::format_curves(mesh.points, name_curves(result.cuts, result.assembled)));

@@ -18,6 +18,8 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstdio>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 
@@ -599,6 +601,49 @@ BOOST_FIXTURE_TEST_CASE(normals_between_those_of_a_file_are_of_length_one, Fixtu
     BOOST_TEST(norm(n - (1 / norm(p)) * p) < 0.05);
   }
   for (const Point& c : found.colours) { BOOST_TEST(norm(c - Point{1, 0.2, 0}) < 1e-12); }
+}
+
+BOOST_FIXTURE_TEST_CASE(doubled_vertices_are_those_of_the_texture, Fixture)
+{
+  for (const std::string file : {"doubled.vtp", "doubled.ply"})
+  {
+    BOOST_TEST_REQUIRE(meridian("unwrap mesh.obj -o uv.obj --charts 3 --quiet --doubled " + file).status == 0);
+    const auto places = lines_of(text("uv.obj"), "vt"), points = lines_of(text("uv.obj"), "v");
+    const Polygon_soup soup = files::read_mesh((folder() / file).string());
+    BOOST_TEST_REQUIRE(soup.points.size() == places.size());
+    BOOST_TEST(soup.number_of_polygons() == lines_of(text("uv.obj"), "f").size());
+    const std::string all = text(file);
+    std::istringstream texture, vertices;
+    if (file == "doubled.vtp")
+    {
+      const auto after = [&](const std::string& name) {
+        const std::size_t at = all.find("Name=\"" + name + "\"");
+        const std::size_t begin = all.find('>', at) + 1;
+        return all.substr(begin, all.find('<', begin) - begin);
+      };
+      texture.str(after("texture"));
+      vertices.str(after("vertex"));
+    }
+    const char* raw = all.data() + all.find("end_header\n") + 11;
+    for (std::size_t v = 0; v < places.size(); ++v, raw += 44)
+    {
+      Plane_point p, q;
+      std::int32_t w = -1;
+      std::memcpy(p.data(), raw + 24, 16);
+      std::memcpy(&w, raw + 40, 4);
+      if (file == "doubled.vtp")
+      {
+        texture >> p[0] >> p[1];
+        vertices >> w;
+      }
+      std::sscanf(places[v].c_str(), "vt %lf %lf", &q[0], &q[1]);
+      BOOST_TEST((p == q));
+      Point at;
+      std::sscanf(points[w].c_str(), "v %lf %lf %lf", &at[0], &at[1], &at[2]);
+      BOOST_TEST((soup.points[v] == at));
+    }
+  }
+  BOOST_TEST(meridian("unwrap mesh.obj -o uv.obj --doubled doubled.off").status == 64);
 }
 
 BOOST_FIXTURE_TEST_CASE(malformed_attributes_do_no_harm, Fixture)
