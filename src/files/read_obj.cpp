@@ -140,6 +140,11 @@ private:
   void name_part(Part_kind kind, std::string_view name)
   {
     const auto k = static_cast<std::size_t>(kind);
+    if (kind == Part_kind::SMOOTHING && (name == "off" || name == "0")) // as before any was named
+    {
+      m_current[k] = -1;
+      return;
+    }
     Named_parts& parts = m_attributes.parts[k];
     const auto [at, is_new] =
       m_numbers[k].try_emplace(std::string(name), static_cast<std::int32_t>(parts.names.size()));

@@ -173,7 +173,15 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plan
   while (!in.at_end())
   {
     const std::string_view key = in.word();
-    if (key == "v") { points.push_back({read_coordinates<3>(in, "a vertex")}); }
+    if (key == "v") // one that no face uses may be anywhere
+    {
+      Point& p = points.emplace_back();
+      for (double& x : p)
+      {
+        if (in.at_line_end()) { in.fail("a vertex has fewer than 3 coordinates"); }
+        x = in.real("a coordinate");
+      }
+    }
     else if (key == "vt")
     {
       texture.push_back({read_coordinates<2>(in, "a texture vertex")});

@@ -167,6 +167,21 @@ int Atlas::first_free(const std::vector<Span>& spans, int y, int last) const
   return -1;
 }
 
+void Atlas::take_row(Word* of_row, int begin, int end)
+{
+  const auto below = [](int x) { return (Word(1) << x % bits) - 1; }; // the bits before that of a cell
+  if (begin >= end) { return; }
+  const int first = begin / bits, last = end / bits;
+  if (first == last)
+  {
+    of_row[first] |= below(end) & ~below(begin);
+    return;
+  }
+  of_row[first] |= ~below(begin);
+  for (int w = first + 1; w < last; ++w) { of_row[w] = ~Word(0); }
+  of_row[last] |= below(end);
+}
+
 void Atlas::take(const Chart_cells& cells, const Place& place)
 {
   for (const auto& run : cells.runs)
@@ -174,7 +189,7 @@ void Atlas::take(const Chart_cells& cells, const Place& place)
     const int begin = std::max(place.x + run.begin - m_gap, 0), end = std::min(place.x + run.end + m_gap, m_size);
     for (int y = std::max(place.y + run.row - m_gap, 0); y <= std::min(place.y + run.row + m_gap, m_size - 1); ++y)
     {
-      for (int x = begin; x < end; ++x) { row(0, y)[x / bits] |= Word(1) << x % bits; }
+      take_row(row(0, y), begin, end);
     }
   }
   for (int y = std::max(place.y - m_gap, 0); y < std::min(place.y + cells.height + m_gap, m_size); ++y)

@@ -26,17 +26,6 @@ namespace internal {
 
 namespace {
 
-// The area of faces, whichever way they are turned.
-double covered_area(const Chart& chart)
-{
-  double sum = 0;
-  for (const auto& t : *chart.triangles)
-  {
-    sum += std::abs(cross(chart.at[t[1]] - chart.at[t[0]], chart.at[t[2]] - chart.at[t[0]])) / 2;
-  }
-  return sum;
-}
-
 // A chart in one direction, its lowest and leftmost points at 0.
 struct Turned_chart
 {
@@ -172,7 +161,7 @@ private:
       const Chart_cells none, *best_cells = &none;
       for (const Plane_point& d : directions(i))
       {
-        const auto [at, is_new] = known.try_emplace({static_cast<double>(i), d[0], d[1]});
+        const auto [at, is_new] = known.try_emplace({static_cast<double>(i), d[0], d[1]}); // all fit into it
         if (is_new)
         {
           at->second = cells_of(*m_charts[i].triangles, turn(m_charts[i].at, d, m_unit / coarser * m_scale[i]).at);
@@ -282,6 +271,12 @@ private:
     return std::move(best.at);
   }
 
+  // Whether a chart is no larger than a square: that of others would have too many cells to be drawn.
+  static bool fits(const Plane_point& extent, const Atlas& atlas)
+  {
+    return extent[0] < atlas.size() && extent[1] < atlas.size();
+  }
+
   // Nothing if there is no place for one.
   std::vector<std::vector<Plane_point>> place_all(int gap) const
   {
@@ -350,6 +345,7 @@ private:
     for (const Plane_point& d : all)
     {
       Turned_chart turned = turn(m_charts[chart].at, d, unit);
+      if (!fits(turned.extent, atlas)) { continue; }
       Chart_cells of_chart = cells_of(*m_charts[chart].triangles, turned.at);
       const auto place = atlas.find_place(of_chart, best.place, best.cells);
       if (place) { best = {d, place, std::move(of_chart), std::move(turned.at)}; }
@@ -416,10 +412,20 @@ double pack_charts(std::vector<Chart>& charts, const Pack_options& options)
   for (std::size_t i = 0; i < charts.size(); ++i)
   {
     charts[i].at = std::move(placed[i]);
-    filled += internal::covered_area(charts[i]);
+    filled += covered_area(charts[i]);
     tiles = std::max(tiles, count_tiles(charts[i].at));
   }
   return filled / tiles;
+}
+
+double covered_area(const Chart& chart)
+{
+  double sum = 0;
+  for (const auto& t : *chart.triangles)
+  {
+    sum += std::abs(cross(chart.at[t[1]] - chart.at[t[0]], chart.at[t[2]] - chart.at[t[0]])) / 2;
+  }
+  return sum;
 }
 
 int count_tiles(const std::vector<Plane_point>& at)

@@ -2,12 +2,26 @@
 #include "options.h"
 #include "arguments.h"
 
+#include <limits>
+#include <string>
+
 namespace meridian {
 namespace program {
 
 const char* const repair_help = "split edges with three or more faces instead of refusing the mesh";
 
 namespace {
+
+// Not for what is no number, which compares with nothing.
+CLI::Validator number_from(double low, double high, const std::string& meaning)
+{
+  return {[=](const std::string& text) {
+            double x = std::numeric_limits<double>::quiet_NaN();
+            const bool is_number = CLI::detail::lexical_cast(text, x);
+            return is_number && x >= low && x <= high ? std::string() : text + " is not " + meaning;
+          },
+          ""};
+}
 
 void add_preferences(CLI::App& command, Field_arguments& a)
 {
@@ -100,7 +114,7 @@ void add_pack_options(CLI::App& command, Pack_options& packing)
     ->group("Charts");
   CLI::Option* density =
     command.add_option("--density", packing.density, "texels along a unit of length of MESH; otherwise as many as fit")
-      ->check(CLI::PositiveNumber)
+      ->check(number_from(1e-30, 1e30, "a number from 1e-30 to 1e30"))
       ->type_name("D")
       ->group("Charts");
   command.add_option("--tiles", packing.tiles, "with --density: textures that there may be, in the order of UDIM")
@@ -110,7 +124,7 @@ void add_pack_options(CLI::App& command, Pack_options& packing)
     ->needs(density)
     ->group("Charts");
   command.add_option("--padding", packing.padding, "texels between charts, at least")
-    ->check(CLI::Range(0., 1024.))
+    ->check(number_from(0, 1024, "a number from 0 to 1024"))
     ->type_name("P")
     ->capture_default_str()
     ->group("Charts");

@@ -7,6 +7,7 @@
 #include "options.h"
 
 #include <meridian/base/Union_find.h>
+#include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/map/pack_charts.h>
 #include <meridian/proof/verify_packing.h>
@@ -128,7 +129,6 @@ Packed pack(const Pack_arguments& a, const std::vector<files::Texture_text>& tex
   Packed packed;
   std::vector<Mesh_charts> of_mesh;
   std::vector<Chart> charts;
-  double area = 0;
   for (const files::Texture_text& text : texts)
   {
     of_mesh.push_back(charts_of(text, a.keep_scale));
@@ -139,36 +139,47 @@ Packed pack(const Pack_arguments& a, const std::vector<files::Texture_text>& tex
     {
       Chart& chart = charts.emplace_back(Chart{&of_mesh[i].triangles[k], {}, of_mesh[i].area[k]});
       for (Index v : of_mesh[i].vertices[k]) { chart.at.push_back(texts[i].texture()[v]); }
-      area += chart.area;
     }
   packed.charts = charts.size();
   packed.filled = pack_charts(charts, a.packing);
+  for (const Chart& c : charts)
+    for (const Plane_point& p : c.at)
+    {
+      if (!std::isfinite(p[0] + p[1])) { throw Invalid_input_error("coordinates are too large to be packed"); }
+    }
   auto chart = charts.begin();
-  int tiles = 1;
+  double area = 0, image = 0; // of charts that have both
   for (std::size_t i = 0; i < texts.size(); ++i)
     for (const auto& vertices : of_mesh[i].vertices)
     {
       for (std::size_t v = 0; v < vertices.size(); ++v) { packed.texture[i][vertices[v]] = chart->at[v]; }
-      tiles = std::max(tiles, count_tiles(chart->at));
+      const double covered = covered_area(*chart);
+      if (covered > 0 && chart->area > 0)
+      {
+        area += chart->area;
+        image += covered;
+      }
       ++chart;
     }
-  if (area > 0 && !a.keep_scale) { packed.density = a.packing.resolution * std::sqrt(packed.filled * tiles / area); }
+  if (area > 0 && !a.keep_scale) { packed.density = a.packing.resolution * std::sqrt(image / area); }
   return packed;
 }
 
 // Recounts the texts that shall be written.
-Verification recount(const Pack_arguments& a, const std::vector<std::string>& written)
+Verification recount(const Pack_arguments& a, const std::vector<files::Texture_text>& read,
+                     const std::vector<std::string>& written)
 {
   Triangles faces;
-  std::vector<Plane_point> texture;
+  std::vector<Plane_point> texture, before;
   for (std::size_t i = 0; i < written.size(); ++i)
   {
     const files::Texture_text text(a.out[i], written[i]);
     const auto first = static_cast<Index>(texture.size());
     for (const auto& t : text.texture_triangles()) { faces.push_back({t[0] + first, t[1] + first, t[2] + first}); }
     texture.insert(texture.end(), text.texture().begin(), text.texture().end());
+    before.insert(before.end(), read[i].texture().begin(), read[i].texture().end());
   }
-  return verify_packing(faces, texture, a.packing.padding / a.packing.resolution, a.packing.tiles);
+  return verify_packing(faces, texture, a.packing.padding / a.packing.resolution, a.packing.tiles, before);
 }
 
 int run_pack(const Pack_arguments& a)
@@ -190,7 +201,11 @@ int run_pack(const Pack_arguments& a)
   heed_interrupts();
   const Packed packed = pack(a, texts);
   for (std::size_t i = 0; i < texts.size(); ++i) { written.push_back(texts[i].format(packed.texture[i])); }
-  const Verification verification = recount(a, written);
+  const Verification verification = recount(a, texts, written);
+  if (packed.filled > 1)
+  {
+    notes.emplace_back("note: faces of a chart overlap: together they cover more than there is");
+  }
   files::Output_files out;
   Json report{{"meridian", MERIDIAN_VERSION},      {"meshes", a.meshes},
               {"charts", packed.charts},           {"coverage", packed.filled},

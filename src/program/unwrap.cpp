@@ -285,7 +285,15 @@ int run_unwrap(const Unwrap_arguments& arguments)
   Terminal terminal(arguments.quiet);
   std::vector<Unwrap_run> runs;
   runs.reserve(each.size());
-  for (const Unwrap_arguments& a : each) { runs.push_back(start_run(a, terminal)); }
+  for (const Unwrap_arguments& a : each) try
+    {
+      runs.push_back(start_run(a, terminal));
+    }
+    catch (const Invalid_input_error& e)
+    {
+      if (each.size() == 1) { throw; }
+      throw Invalid_input_error(a.mesh + ": " + e.what());
+    }
   pack(arguments, runs);
   if (runs.size() > 1) { return conclude_atlas(arguments, runs, terminal); }
   Unwrap_run& run = runs.front();
@@ -406,6 +414,7 @@ Command add_unwrap(CLI::App& app)
             note_cut_options(*command, *a);
             a->has_border = command->count("--border") > 0;
             if (command->count("--shortest-seams") > 0) { a->max_stretch = 0; }
+            if (command->count("--seams") > 0 && a->seams.empty()) { throw Usage_error("--seams names nothing"); }
             return run_unwrap(*a);
           }};
 }

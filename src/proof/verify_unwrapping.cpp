@@ -40,8 +40,8 @@ bool is_in_one_tile(const std::array<std::int32_t, 3>& face, const Texture& text
   return false;
 }
 
-// Whether a face is turned over or has no area in the plane: its corners do not turn left.
-bool is_flipped(const std::array<std::int32_t, 3>& face, const Texture& texture)
+// The exact sign of the area of a face in the plane.
+CGAL::Orientation orientation(const std::array<std::int32_t, 3>& face, const Texture& texture)
 {
   using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
   std::array<Point_2, 3> corners;
@@ -50,7 +50,13 @@ bool is_flipped(const std::array<std::int32_t, 3>& face, const Texture& texture)
     const Plane_point& p = texture[static_cast<std::size_t>(face[k])];
     corners[k] = Point_2(p[0], p[1]);
   }
-  return CGAL::orientation(corners[0], corners[1], corners[2]) != CGAL::LEFT_TURN;
+  return CGAL::orientation(corners[0], corners[1], corners[2]);
+}
+
+// Whether a face is turned over or has no area in the plane: its corners do not turn left.
+bool is_flipped(const std::array<std::int32_t, 3>& face, const Texture& texture)
+{
+  return orientation(face, texture) != CGAL::LEFT_TURN;
 }
 
 } // namespace
@@ -99,10 +105,11 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
 }
 
 Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& faces,
-                            const std::vector<Plane_point>& texture, double gap, int tiles)
+                            const std::vector<Plane_point>& texture, double gap, int tiles,
+                            const std::vector<Plane_point>& before)
 {
   Verification found;
-  std::vector<std::int32_t> outside;
+  std::vector<std::int32_t> outside, changed;
   for (std::size_t f = 0; f < faces.size(); ++f)
   {
     if (!verification::is_in_one_tile(faces[f], texture, tiles)) { outside.push_back(static_cast<std::int32_t>(f)); }
@@ -111,6 +118,13 @@ Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& face
   {
     found.failures.push_back(internal::list_elements("faces are not in one tile of the texture", outside));
     return found;
+  }
+  for (std::size_t f = 0; f < faces.size() && !before.empty(); ++f)
+  {
+    if (verification::orientation(faces[f], texture) != verification::orientation(faces[f], before))
+    {
+      changed.push_back(static_cast<std::int32_t>(f));
+    }
   }
   Result_mesh mesh;
   mesh.faces = faces;
@@ -121,6 +135,7 @@ Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& face
     elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
     if (!elements.empty()) { found.failures.push_back(internal::list_elements(what, elements)); }
   };
+  list("faces were turned over or lost their area when they were packed", changed);
   list("faces are nearer to another chart than the padding", layout.find_near(gap));
   if (found) { list("charts lie inside others in the plane; they begin with faces", layout.find_inside()); }
   return found;

@@ -189,7 +189,30 @@ BOOST_FIXTURE_TEST_CASE(what_cannot_be_packed_is_refused, Fixture)
   expect("a.obj a.obj -o out.obj out.obj", 64, "written twice");
   expect("a.obj -o out.obj --keep-scale --density 3", 64, "--keep-scale");
   expect("a.obj -o out.obj --padding 20 --resolution 64", 64, "--padding");
-  expect("a.obj -o out.obj --density 10000", 1, "cannot hold all charts");
+  // a chart that is too large is not drawn in texels to find that out
+  for (const std::string density : {"10000", "1e9", "1e20"})
+  {
+    expect("a.obj -o out.obj --density " + density, 1, "cannot hold all charts");
+  }
+  expect("a.obj -o out.obj --density nan", 64, "nan is not a number");
+  expect("a.obj -o out.obj --padding nan", 64, "nan is not a number");
+  write("tiny.obj",
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 5 0 0\nv 6 0 0\nv 6 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 0\nvt 1e-20 0\nvt "
+        "1e-20 1e-20\nf 1/1 2/2 3/3\nf 4/4 5/5 6/6\n");
+  expect("tiny.obj -o out.obj --keep-scale", 2, "1 faces were turned over or lost their area");
+}
+
+// Islands without area in space or in the texture are packed too, and say nothing about the density.
+BOOST_FIXTURE_TEST_CASE(the_density_is_that_of_charts_with_an_area, Fixture)
+{
+  write("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 5 5\nvt 0 0\nvt 3 0\nvt 0 3\n"
+                 "f 1/1 2/2 3/3\nf 1/4 3/4 4/4\nf 1/5 2/6 5/7\n");
+  const auto r = meridian("pack a.obj -o b.obj --density 100 --report r.json");
+  BOOST_TEST(r.status == 0, r.error);
+  BOOST_TEST(nlohmann::json::parse(text("r.json"))["density"].get<double>() == 100, boost::test_tools::tolerance(1e-9));
+  write("twice.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 0 2\nv 1 0 2\nv 1 1 2\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                     "f 1/1 2/2 3/3\nf 4/1 5/2 6/3\nf 4/1 5/2 6/3\nf 1/1 3/3 2/4\n");
+  BOOST_TEST(contains(meridian("pack twice.obj -o b.obj").out, "note: faces of a chart overlap"));
 }
 
 BOOST_AUTO_TEST_CASE(packed_charts_are_recounted)

@@ -434,6 +434,7 @@ BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture
                                    "--geometry-image 33 --parameterization tutte",
                                    "--geometry-image 33 --border circle",
                                    "--tiles 3",
+                                   "--seams \"\"",
                                    "--density 100 --tiles 3 --svg uv.svg",
                                    "--density 100 --geometry-image 33",
                                    "--density 0",
@@ -660,6 +661,10 @@ BOOST_FIXTURE_TEST_CASE(malformed_attributes_do_no_harm, Fixture)
   BOOST_TEST((found.of(files::Part_kind::GROUP).names == std::vector<std::string>{"two words"}));
   BOOST_TEST((found.of(files::Part_kind::OBJECT).names == std::vector<std::string>{""}));
   BOOST_TEST(found.of(files::Part_kind::MATERIAL).of.empty());
+  BOOST_TEST(found.of(files::Part_kind::SMOOTHING).of.empty()); // it is off
+  BOOST_TEST(meridian("unwrap a.obj -o uv.obj --quiet").status == 0);
+  BOOST_TEST(meridian("verify a.obj uv.obj").status == 0);
+  write("a.obj", text("a.obj") + "v nan 0 0\n"); // that no face uses
   BOOST_TEST(meridian("unwrap a.obj -o uv.obj --quiet").status == 0);
   BOOST_TEST(meridian("verify a.obj uv.obj").status == 0);
 }

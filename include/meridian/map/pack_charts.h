@@ -57,6 +57,11 @@ struct Pack_options
 double pack_charts(std::vector<Chart>& charts, const Pack_options& options = Pack_options());
 
 /// \ingroup PkgMeridianParameterization
+/// \returns the area of the faces of a chart in the plane, whichever way they are turned
+/// \param chart the chart
+double covered_area(const Chart& chart);
+
+/// \ingroup PkgMeridianParameterization
 /// \returns the number of the last square that has a point, as `Pack_options::tiles` counts them, and one more
 /// \param at the points
 int count_tiles(const std::vector<Plane_point>& at);

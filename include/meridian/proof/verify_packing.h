@@ -22,12 +22,15 @@ namespace meridian {
  * \param texture the points
  * \param gap how far apart charts are, at least; more than 0
  * \param tiles how many there may be; see `verify_unwrapping()`
+ * \param before where the points were before they were packed, if it shall be recounted, too, that each face has the
+ *   same exact sign of its area still: none was turned over or lost its area
  * \returns the failures
  * \par Complexity
  * \f$ O(b \log^2 b + k) \f$ for `b` sides on borders, of which `k` pairs are near (\cite zomorodian2002)
  */
 Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& faces,
-                            const std::vector<Plane_point>& texture, double gap, int tiles = 1);
+                            const std::vector<Plane_point>& texture, double gap, int tiles = 1,
+                            const std::vector<Plane_point>& before = {});
 
 } // namespace meridian
 

@@ -46,6 +46,7 @@ public:
                                   const Chart_cells& best_cells) const;
   void take(const Chart_cells& cells, const Place& place);
   int extent() const { return m_extent; }
+  int size() const { return m_size; }
 
 private:
   using Word = std::uint64_t;
@@ -62,6 +63,8 @@ private:
   const Word* row(int level, int y) const { return &m_taken[(static_cast<std::size_t>(level) * m_rows + y) * m_words]; }
   // The word whose first bit is that of cell `x`.
   Word word_at(int level, int y, int x) const;
+  // Takes cells from `begin` to before `end`.
+  static void take_row(Word* of_row, int begin, int end);
   void update_levels(int y);
 
   int m_size, m_gap, m_words, m_levels, m_extent = 0;
