@@ -91,14 +91,17 @@ private:
   std::int64_t m_vertices, m_textures;
 };
 
-template <std::size_t N> std::array<double, N> read_coordinates(Scanner& in, const char* what)
+template <std::size_t N> std::array<double, N> read_coordinates(Scanner& in, const char* what, bool are_finite)
 {
   std::array<double, N> p;
   for (double& x : p)
   {
     if (in.at_line_end()) { in.fail(std::string(what) + " has fewer than " + std::to_string(N) + " coordinates"); }
     x = in.real("a coordinate");
-    if (!std::isfinite(x)) { in.fail(std::string(what) + " has a coordinate that is not a finite number"); }
+    if (are_finite && !std::isfinite(x))
+    {
+      in.fail(std::string(what) + " has a coordinate that is not a finite number");
+    }
   }
   return p;
 }
@@ -173,18 +176,10 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plan
   while (!in.at_end())
   {
     const std::string_view key = in.word();
-    if (key == "v") // one that no face uses may be anywhere
-    {
-      Point& p = points.emplace_back();
-      for (double& x : p)
-      {
-        if (in.at_line_end()) { in.fail("a vertex has fewer than 3 coordinates"); }
-        x = in.real("a coordinate");
-      }
-    }
+    if (key == "v") { points.push_back({read_coordinates<3>(in, "a vertex", false)}); } // it may be of no face
     else if (key == "vt")
     {
-      texture.push_back({read_coordinates<2>(in, "a texture vertex")});
+      texture.push_back({read_coordinates<2>(in, "a texture vertex", true)});
       vertex_of.push_back(-1);
     }
     else if (key == "f")
@@ -194,6 +189,10 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plan
       for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
       {
         const auto [v, t] = corners.emplace_back(read(word));
+        for (double x : points[v])
+        {
+          if (!std::isfinite(x)) { in.fail("a corner names a vertex with a coordinate that is not a finite number"); }
+        }
         if (vertex_of[t] >= 0 && vertex_of[t] != v)
           in.fail("texture vertex " + std::to_string(t + 1) + " is used with vertex " + std::to_string(vertex_of[t] + 1)
                   + " and with vertex " + std::to_string(v + 1));

@@ -211,7 +211,8 @@ BOOST_FIXTURE_TEST_CASE(obj_that_is_no_unwrapped_mesh_is_refused_with_its_line, 
   bad("f 1/1 2/2 3/x\n", "line 7: expected texture vertex, found 'x'");
   bad("f 1/1 2/2 3/3\nf 1/1 3/2 2/2\n", "line 8: texture vertex 2 is used with vertex 2 and with vertex 3");
   bad("f 1/1 2/2\n", "line 7: a face has 2 corners");
-  bad("v 0 nan 0\n", "line 7: a vertex has a coordinate that is not a finite number");
+  bad("v 0 nan 0\nf 1/1 2/2 4/3\n", "line 8: a corner names a vertex with a coordinate that is not a finite number");
+  BOOST_TEST(refusal(head + "v 0 nan 0\nf 1/1 2/2 3/3\n") == ""); // of no face
   bad("vt inf 0\n", "line 7: a texture vertex has a coordinate that is not a finite number");
   bad("vt 1\n", "line 7: a texture vertex has fewer than 2 coordinates");
   bad("v 1 2\n", "line 7: a vertex has fewer than 3 coordinates");
