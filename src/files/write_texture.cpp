@@ -91,6 +91,8 @@ private:
   std::int64_t m_vertices, m_textures;
 };
 
+bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
+
 template <std::size_t N> std::array<double, N> read_coordinates(Scanner& in, const char* what, bool are_finite)
 {
   std::array<double, N> p;
@@ -189,10 +191,7 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plan
       for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
       {
         const auto [v, t] = corners.emplace_back(read(word));
-        for (double x : points[v])
-        {
-          if (!std::isfinite(x)) { in.fail("a corner names a vertex with a coordinate that is not a finite number"); }
-        }
+        if (!is_finite(points[v])) { in.fail("a corner names a vertex with a coordinate that is not a finite number"); }
         if (vertex_of[t] >= 0 && vertex_of[t] != v)
           in.fail("texture vertex " + std::to_string(t + 1) + " is used with vertex " + std::to_string(vertex_of[t] + 1)
                   + " and with vertex " + std::to_string(v + 1));
