@@ -22,7 +22,10 @@ class Scanner
 public:
   Scanner(std::string_view text, const char* what, char comment = '\0')
     : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_what(what), m_comment(comment)
-  {}
+  {
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF"; // of UTF-8, which some editors begin a text with
+    if (text.substr(0, byte_order_mark.size()) == byte_order_mark) { m_at += byte_order_mark.size(); }
+  }
 
   [[noreturn]] void fail(const std::string& message) const
   {
