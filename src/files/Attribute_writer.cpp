@@ -61,11 +61,7 @@ void Attribute_writer::write_parts(Text& out, std::int32_t polygon, bool with_ma
 
 std::int32_t Attribute_writer::normal_at(std::int32_t polygon, std::int32_t point) const
 {
-  for (std::size_t k = m_input.begin[polygon]; k < m_input.begin[polygon + 1]; ++k)
-  {
-    if (m_input.corners[k] == point) { return m_attributes.normal_of[k]; }
-  }
-  return -1;
+  return find_at_corner(m_input, m_attributes.normal_of, polygon, point);
 }
 
 Attribute_writer::Between Attribute_writer::between(std::int32_t polygon, std::int32_t v) const

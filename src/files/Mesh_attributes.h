@@ -2,6 +2,7 @@
 #ifndef MERIDIAN_FILES_MESH_ATTRIBUTES_H
 #define MERIDIAN_FILES_MESH_ATTRIBUTES_H
 
+#include <meridian/base/Polygon_soup.h>
 #include <meridian/base/names.h>
 #include <meridian/base/vectors.h>
 
@@ -57,6 +58,17 @@ struct Mesh_attributes
 
   const Named_parts& of(Part_kind kind) const { return parts[static_cast<std::size_t>(kind)]; }
 };
+
+// What a corner of a polygon has, by its point: one of `of`, which are `texture_of` or `normal_of`; -1 if it has none.
+inline std::int32_t find_at_corner(const Polygon_soup& soup, const std::vector<std::int32_t>& of, std::int32_t polygon,
+                                   std::int32_t point)
+{
+  for (std::size_t k = soup.begin[polygon]; k < soup.begin[polygon + 1]; ++k)
+  {
+    if (soup.corners[k] == point) { return of[k]; }
+  }
+  return -1;
+}
 
 // What a kind of parts is, in words.
 inline const char* meaning_of(Part_kind kind)

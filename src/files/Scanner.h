@@ -113,6 +113,26 @@ private:
 // An index that does not fit is kept out of range, so that examination counts and names the face.
 inline std::int32_t clamped(std::int64_t i) { return i < 0 || i > 2147483646 ? -1 : static_cast<std::int32_t>(i); }
 
+// The place of an index as OBJ files have it, from 1 on or counted back from -1, among so many; outside of them if it
+// is none: 0 is no index.
+inline std::int64_t place_of(std::int64_t i, std::size_t count)
+{
+  return i < 0 ? static_cast<std::int64_t>(count) + i : i - 1;
+}
+
+// The same of a word; fails if it is none.
+inline std::int32_t place_in(const Scanner& in, std::string_view word, std::size_t count, const char* name)
+{
+  const auto i = in.parse<std::int64_t>(word, name);
+  const std::int64_t place = place_of(i, count);
+  if (place < 0 || place >= static_cast<std::int64_t>(count))
+  {
+    in.fail("a corner names " + std::string(name) + " " + std::to_string(i) + ", and " + std::to_string(count)
+            + " stand above it");
+  }
+  return static_cast<std::int32_t>(place);
+}
+
 } // namespace files
 } // namespace meridian
 

@@ -21,19 +21,6 @@ double finite_number(Scanner& in, std::string_view word)
   return x;
 }
 
-// A place that a corner names, from 1 on or counted back from -1.
-std::int32_t place_in(const Scanner& in, std::string_view word, std::size_t count, const char* name)
-{
-  const auto i = in.parse<std::int64_t>(word, name), n = static_cast<std::int64_t>(count);
-  const std::int64_t place = i < 0 ? n + i : i - 1;
-  if (place < 0 || place >= n)
-  {
-    in.fail("a corner names " + std::string(name) + " " + std::to_string(i) + ", and " + std::to_string(count)
-            + " stand above it");
-  }
-  return static_cast<std::int32_t>(place);
-}
-
 } // namespace
 
 Texture_text::Texture_text(const std::string& path, std::string bytes) : m_bytes(std::move(bytes))

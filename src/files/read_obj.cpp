@@ -36,12 +36,6 @@ std::string join_lines(const std::string& bytes)
   return joined;
 }
 
-// An index as it stands in a file, from 1 on or counted back from -1, among so many.
-std::int64_t place_of(std::int64_t i, std::size_t count)
-{
-  return i > 0 ? i - 1 : i < 0 ? static_cast<std::int64_t>(count) + i : -1; // 0 is no index
-}
-
 // Reads what is no point and no corner. What is malformed there is left out: the mesh is none the worse.
 class Attribute_reader
 {

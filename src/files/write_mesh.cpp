@@ -186,7 +186,7 @@ std::vector<Result_curve> read_curves(const std::string& path)
   Scanner in(bytes, path.c_str(), '#');
   std::vector<Result_curve> curves;
   std::string group;
-  std::int64_t points = 0;
+  std::size_t points = 0;
   while (!in.at_end())
   {
     const std::string_view key = in.word();
@@ -198,8 +198,9 @@ std::vector<Result_curve> read_curves(const std::string& path)
       for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
       {
         const auto i = in.parse<std::int64_t>(word.substr(0, word.find('/')), "a vertex of a line");
-        const std::int64_t place = i < 0 ? points + i : i - 1; // 0 is no index
-        curves.back().points.push_back(place < 0 || place >= points ? -1 : static_cast<std::int32_t>(place));
+        const std::int64_t place = place_of(i, points);
+        const bool is_point = place >= 0 && place < static_cast<std::int64_t>(points);
+        curves.back().points.push_back(is_point ? static_cast<std::int32_t>(place) : -1);
       }
     }
     if (!in.at_line_end()) { in.skip_line(); }

@@ -58,38 +58,16 @@ bool is_whole(const Polygon_soup& input, std::size_t p, const Result_mesh& mesh,
   return true;
 }
 
-// Reads the corners of a face: indices into what stands above it, from 1 on, or counted back from -1.
-class Corner_reader
+// The vertex and the texture vertex of a corner of a face: indices into what stands above it.
+std::array<std::int32_t, 2> read_corner(const Scanner& in, std::string_view word, std::size_t vertices,
+                                        std::size_t textures)
 {
-public:
-  Corner_reader(Scanner& in, std::size_t vertices, std::size_t textures)
-    : m_in(in), m_vertices(static_cast<std::int64_t>(vertices)), m_textures(static_cast<std::int64_t>(textures))
-  {}
-
-  // The vertex and the texture vertex of a corner.
-  std::array<std::int32_t, 2> operator()(std::string_view word) const
-  {
-    const std::size_t slash = word.find('/');
-    const std::string_view rest = slash == std::string_view::npos ? std::string_view() : word.substr(slash + 1);
-    const std::string_view texture = rest.substr(0, rest.find('/'));
-    if (texture.empty()) { m_in.fail("the corner '" + std::string(word.substr(0, 40)) + "' has no texture vertex"); }
-    return {index(word.substr(0, slash), m_vertices, "vertex"), index(texture, m_textures, "texture vertex")};
-  }
-
-private:
-  std::int32_t index(std::string_view word, std::int64_t count, const char* name) const
-  {
-    const auto i = m_in.parse<std::int64_t>(word, name);
-    const std::int64_t place = i < 0 ? count + i : i - 1; // 0 is no index
-    if (place < 0 || place >= count)
-      m_in.fail("a corner names " + std::string(name) + " " + std::to_string(i) + ", and " + std::to_string(count)
-                + " stand above it");
-    return static_cast<std::int32_t>(place);
-  }
-
-  Scanner& m_in;
-  std::int64_t m_vertices, m_textures;
-};
+  const std::size_t slash = word.find('/');
+  const std::string_view rest = slash == std::string_view::npos ? std::string_view() : word.substr(slash + 1);
+  const std::string_view texture = rest.substr(0, rest.find('/'));
+  if (texture.empty()) { in.fail("the corner '" + std::string(word.substr(0, 40)) + "' has no texture vertex"); }
+  return {place_in(in, word.substr(0, slash), vertices, "vertex"), place_in(in, texture, textures, "texture vertex")};
+}
 
 bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]); }
 
@@ -186,11 +164,10 @@ void read_unwrapped(const std::string& path, Result_mesh& mesh, std::vector<Plan
     }
     else if (key == "f")
     {
-      const Corner_reader read(in, points.size(), texture.size());
       corners.clear();
       for (std::string_view word = in.word_on_line(); !word.empty(); word = in.word_on_line())
       {
-        const auto [v, t] = corners.emplace_back(read(word));
+        const auto [v, t] = corners.emplace_back(read_corner(in, word, points.size(), texture.size()));
         if (!is_finite(points[v])) { in.fail("a corner names a vertex with a coordinate that is not a finite number"); }
         if (vertex_of[t] >= 0 && vertex_of[t] != v)
           in.fail("texture vertex " + std::to_string(t + 1) + " is used with vertex " + std::to_string(vertex_of[t] + 1)

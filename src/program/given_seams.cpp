@@ -59,19 +59,12 @@ Is_seam is_seam_of_texture(const Unwrap_arguments& a, const Loaded_mesh& loaded)
     throw files::File_error(a.mesh
                             + ": it has no texture coordinates, which --seams uv needs; OBJ files may have them");
   }
-  const auto texture_at = [&loaded, &attributes](Index polygon, Index point) {
-    const std::size_t first = loaded.soup.begin[polygon], last = loaded.soup.begin[polygon + 1];
-    for (std::size_t k = first; k < last; ++k)
-    {
-      if (loaded.soup.corners[k] == point) { return attributes.texture_of[k]; }
-    }
-    return std::int32_t(-1);
-  };
-  return [&loaded, &attributes, texture_at](const Surface_component& c, Index h) {
+  return [&loaded, &attributes](const Surface_component& c, Index h) {
     const Index p = c.polygon_of[h / 3], q = c.polygon_of[c.surface.opposite[h] / 3];
     const auto differs = [&](Index v) {
       const Index point = point_of(loaded, c, v);
-      const std::int32_t one = texture_at(p, point), other = texture_at(q, point);
+      const std::int32_t one = files::find_at_corner(loaded.soup, attributes.texture_of, p, point),
+                         other = files::find_at_corner(loaded.soup, attributes.texture_of, q, point);
       return one != other && (one < 0 || other < 0 || attributes.texture[one] != attributes.texture[other]);
     };
     return p != q && (differs(c.surface.source(h)) || differs(c.surface.target(h)));

@@ -37,7 +37,7 @@ struct Mesh_charts
 {
   std::vector<Triangles> triangles;         // of each chart, in vertices of its own
   std::vector<std::vector<Index>> vertices; // of each chart, as the file counts texture vertices
-  std::vector<double> area;                 // of each chart, on the mesh or in the texture
+  std::vector<double> area;                 // of each chart, on the mesh
 };
 
 double area_in_space(const files::Texture_text& text, std::size_t f)
@@ -47,14 +47,7 @@ double area_in_space(const files::Texture_text& text, std::size_t f)
   return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
 }
 
-double area_in_texture(const files::Texture_text& text, std::size_t f)
-{
-  const auto& t = text.texture_triangles()[f];
-  const auto& p = text.texture();
-  return std::abs(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
-}
-
-Mesh_charts charts_of(const files::Texture_text& text, bool keeps_scale)
+Mesh_charts charts_of(const files::Texture_text& text)
 {
   const auto& all = text.texture_triangles();
   const std::size_t n = text.texture().size();
@@ -87,7 +80,7 @@ Mesh_charts charts_of(const files::Texture_text& text, bool keeps_scale)
       }
       triangle[k] = own[v];
     }
-    charts.area[chart] += keeps_scale ? area_in_texture(text, f) : area_in_space(text, f);
+    charts.area[chart] += area_in_space(text, f);
   }
   return charts;
 }
@@ -131,7 +124,7 @@ Packed pack(const Pack_arguments& a, const std::vector<files::Texture_text>& tex
   std::vector<Chart> charts;
   for (const files::Texture_text& text : texts)
   {
-    of_mesh.push_back(charts_of(text, a.keep_scale));
+    of_mesh.push_back(charts_of(text));
     packed.texture.push_back(text.texture());
   }
   for (std::size_t i = 0; i < texts.size(); ++i)
@@ -139,6 +132,7 @@ Packed pack(const Pack_arguments& a, const std::vector<files::Texture_text>& tex
     {
       Chart& chart = charts.emplace_back(Chart{&of_mesh[i].triangles[k], {}, of_mesh[i].area[k]});
       for (Index v : of_mesh[i].vertices[k]) { chart.at.push_back(texts[i].texture()[v]); }
+      if (a.keep_scale) { chart.area = covered_area(chart); }
     }
   packed.charts = charts.size();
   packed.filled = pack_charts(charts, a.packing);

@@ -59,6 +59,14 @@ bool is_flipped(const std::array<std::int32_t, 3>& face, const Texture& texture)
   return orientation(face, texture) != CGAL::LEFT_TURN;
 }
 
+// A failure that names elements once each, if there are any.
+void list_once(Verification& found, const char* what, std::vector<std::int32_t> elements)
+{
+  std::sort(elements.begin(), elements.end());
+  elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  if (!elements.empty()) { found.failures.push_back(internal::list_elements(what, elements)); }
+}
+
 } // namespace
 
 } // namespace verification
@@ -74,14 +82,6 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
     return found;
   }
   if (!found) { return found; }
-  const auto list = [&](const char* what, const std::vector<std::int32_t>& elements) {
-    if (!elements.empty()) { found.failures.push_back(internal::list_elements(what, elements)); }
-  };
-  const auto list_once = [&](const char* what, std::vector<std::int32_t> elements) {
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-    list(what, elements);
-  };
   std::vector<std::int32_t> flipped, outside;
   for (std::size_t f = 0; f < result.faces.size(); ++f)
   {
@@ -91,16 +91,20 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
     }
     else if (verification::is_flipped(result.faces[f], texture)) { flipped.push_back(static_cast<std::int32_t>(f)); }
   }
-  list(tiles == 1 ? "faces have texture coordinates outside of the unit square"
-                  : "faces are not in one tile of the texture",
-       outside);
-  list("faces are turned over or have no area in the plane", flipped);
+  verification::list_once(found,
+                          tiles == 1 ? "faces have texture coordinates outside of the unit square"
+                                     : "faces are not in one tile of the texture",
+                          outside);
+  verification::list_once(found, "faces are turned over or have no area in the plane", flipped);
   if (!outside.empty() || !flipped.empty()) { return found; }
   const verification::Layout_verifier layout(result, texture);
-  list_once("faces have a border in the plane that meets another", layout.find_meeting());
+  verification::list_once(found, "faces have a border in the plane that meets another", layout.find_meeting());
   if (!found) { return found; }
-  list_once("charts lie inside others in the plane; they begin with faces", layout.find_inside());
-  if (gap > 0) { list_once("faces are nearer to another chart than the padding", layout.find_near(gap)); }
+  verification::list_once(found, "charts lie inside others in the plane; they begin with faces", layout.find_inside());
+  if (gap > 0)
+  {
+    verification::list_once(found, "faces are nearer to another chart than the padding", layout.find_near(gap));
+  }
   return found;
 }
 
@@ -116,7 +120,7 @@ Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& face
   }
   if (!outside.empty())
   {
-    found.failures.push_back(internal::list_elements("faces are not in one tile of the texture", outside));
+    verification::list_once(found, "faces are not in one tile of the texture", outside);
     return found;
   }
   for (std::size_t f = 0; f < faces.size() && !before.empty(); ++f)
@@ -130,14 +134,13 @@ Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& face
   mesh.faces = faces;
   mesh.points.resize(texture.size());
   const verification::Layout_verifier layout(mesh, texture, verification::Layout_verifier::Joined::AT_VERTICES);
-  const auto list = [&](const char* what, std::vector<std::int32_t> elements) {
-    std::sort(elements.begin(), elements.end());
-    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
-    if (!elements.empty()) { found.failures.push_back(internal::list_elements(what, elements)); }
-  };
-  list("faces were turned over or lost their area when they were packed", changed);
-  list("faces are nearer to another chart than the padding", layout.find_near(gap));
-  if (found) { list("charts lie inside others in the plane; they begin with faces", layout.find_inside()); }
+  verification::list_once(found, "faces were turned over or lost their area when they were packed", changed);
+  verification::list_once(found, "faces are nearer to another chart than the padding", layout.find_near(gap));
+  if (found)
+  {
+    verification::list_once(found, "charts lie inside others in the plane; they begin with faces",
+                            layout.find_inside());
+  }
   return found;
 }
 

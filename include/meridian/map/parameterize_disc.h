@@ -27,8 +27,7 @@ namespace meridian {
  * \pre `disc` is a disc
  * \throws Invalid_input_error as `check()`, Solver_error if no method gives a map
  * \par Complexity
- * One factorization for linear methods, two for each step of `ARAP`, and one of twice the size for each of
- * `SYMMETRIC_DIRICHLET`.
+ * One factorization for linear methods, and one of twice the size for each step of methods that improve maps.
  */
 Parameterization parameterize_disc(const Triangle_surface& disc, const Map_options& options = Map_options(),
                                    const Progress& progress = {});
