@@ -7,6 +7,7 @@
 #include <meridian/cut/Cut_job.h>
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/cut/internal/cut_along_contours.h>
+#include <meridian/cut/keep_out.h>
 #include <meridian/cut/link_boundaries.h>
 #include <meridian/cut/link_on_edges.h>
 #include <meridian/cut/open_cut.h>
@@ -49,12 +50,28 @@ public:
   Completion(const Triangle_surface& root, const Completion_options& options, Cut& cut)
     : m_root(root), m_options(options), m_cut(cut), m_run{options.observer, cut.seconds}
   {
-    m_cut.opened = open_along(m_cut.surface);
+    if (options.keep_out.empty()) { return; }
+    m_kept_out = open_kept_out(surface_of(cut.surface, open_along(cut.surface)), mark_faces(root, options.keep_out));
   }
 
   void run()
   {
-    for (Surface_piece& piece : pieces_of(surface_of(m_cut.surface, m_cut.opened)))
+    if (!m_kept_out.empty() && !m_options.on_edges) { cut_handles(wall_off(m_cut.surface, m_kept_out)); }
+    cut_handles(m_cut.surface);
+    m_run(Stage::LINKS, [&] { add_curves(m_cut, Curve_kind::LINK, link()); });
+    m_cut.length_found = seam_length(m_cut.surface);
+    m_run(Stage::OPEN, [&] { open_cut(m_cut); });
+  }
+
+private:
+  // Cuts the handles of what is between the seams of a surface, which is that of the cut, with more seams or none.
+  void cut_handles(const Refined_surface& s)
+  {
+    m_pieces_of = s;
+    m_opened = open_along(s);
+    m_meridians.clear();
+    m_saddles.clear();
+    for (const Surface_piece& piece : pieces_of(surface_of(m_pieces_of, m_opened)))
     {
       if (genus(piece.surface) == 0) { continue; }
       if (m_options.on_edges) { cut_edges(piece); }
@@ -67,20 +84,22 @@ public:
         m_cut.curves[m_cut.curves.size() - m_saddles.size() + i].saddle = m_saddles[i];
       }
     });
-    m_run(Stage::LINKS, [&] { add_curves(m_cut, Curve_kind::LINK, link()); });
-    m_cut.length_found = seam_length(m_cut.surface);
-    m_run(Stage::OPEN, [&] { open_cut(m_cut); });
   }
 
-private:
   // Makes a piece a disc.
   void cut_edges(const Surface_piece& piece)
   {
     Refined_surface s(piece.surface);
     m_run(Stage::MERIDIANS, [&] {
       constexpr int bases = 16;
-      flag_seam(s, find_short_tree_cotree_cut(piece.surface, bases,
-                                              [&](double done) { m_run.progress(Stage::MERIDIANS, done); }));
+      const auto progress = [&](double done) { m_run.progress(Stage::MERIDIANS, done); };
+      if (m_kept_out.empty()) { flag_seam(s, find_short_tree_cotree_cut(piece.surface, bases, progress)); }
+      else
+      {
+        const std::vector<char> kept_out = kept_out_in(piece), inside = vertices_inside(piece.surface, kept_out);
+        flag_seam(s, find_short_tree_cotree_cut(piece.surface, bases, progress, longer_inside(piece.surface, kept_out),
+                                                [&](Index v) { return !inside[v]; }));
+      }
     });
     for (Index h = 0; h < s.number_of_halfedges(); ++h)
     {
@@ -88,8 +107,28 @@ private:
     }
     std::vector<std::vector<Index>> paths = seam_paths(s);
     for (auto& path : paths)
-      for (Index& v : path) { v = vertex_of_whole(piece, m_cut.surface, m_cut.opened, v); }
+      for (Index& v : path) { v = vertex_of_whole(piece, m_pieces_of, m_opened, v); }
     add_curves(m_cut, Curve_kind::PATH, std::move(paths));
+  }
+
+  // Of each face of a piece.
+  std::vector<char> kept_out_in(const Surface_piece& piece) const
+  {
+    std::vector<char> kept_out;
+    for (Index f : piece.faces) { kept_out.push_back(m_kept_out[m_pieces_of.face_of[f]]); }
+    return kept_out;
+  }
+
+  // Edges inside what is kept out of are longer than all others together.
+  static Edge_metric longer_inside(const Triangle_surface& piece, const std::vector<char>& kept_out)
+  {
+    double all = 0;
+    for (Index h = 0; h < piece.number_of_halfedges(); ++h) { all += piece.length(h); }
+    return [&kept_out, all](const Triangle_surface& s, Index h) {
+      const Index o = s.opposite[h];
+      const bool is_inside = o >= 0 && kept_out[s.face(h)] && kept_out[s.face(o)];
+      return s.length(h) + (is_inside ? all : 0);
+    };
   }
 
   // Finds a meridian for each handle of a piece, which keep to its inside.
@@ -107,11 +146,11 @@ private:
     Meridian_search search;
     for (Surface_curve& curve : find_cut_meridians(job, contours, contours, search))
     {
-      m_meridians.push_back(carry_to_whole(piece, m_cut.surface, m_cut.opened, std::move(curve)));
+      m_meridians.push_back(carry_to_whole(piece, m_pieces_of, m_opened, std::move(curve)));
     }
     for (const Meridian_choice& c : search.choices)
     {
-      m_saddles.push_back(vertex_of_whole(piece, m_cut.surface, m_cut.opened, search.candidates[c.loop].saddle));
+      m_saddles.push_back(vertex_of_whole(piece, m_pieces_of, m_opened, search.candidates[c.loop].saddle));
     }
     static_cast<Field_summary&>(m_cut) = of_piece;
   }
@@ -122,9 +161,11 @@ private:
     const bool is_closed = m_cut.genus == 0 && m_cut.boundary_loops == 0;
     const auto seams = std::count(m_cut.surface.seam.begin(), m_cut.surface.seam.end(), 1) / 2;
     if (is_closed && seams == 1) { points.push_back(farthest_from_seam()); } // one edge alone opens nothing
-    if (m_options.on_edges) { return link_boundaries_on_edges(m_cut.surface, points); }
+    if (is_closed && seams == 0 && !m_kept_out.empty()) { points = distant_vertices(); }
+    if (m_options.on_edges) { return link_boundaries_on_edges(m_cut.surface, points, m_kept_out); }
     Link_options options;
     options.bifurcations = m_options.bifurcations;
+    options.kept_out = m_kept_out;
     return link_boundaries(
       m_root, m_cut.surface, options, {}, [&](double done) { m_run.progress(Stage::LINKS, done); }, nullptr, points);
   }
@@ -143,10 +184,29 @@ private:
     return farthest;
   }
 
+  // Two vertices that are not inside what is kept out of.
+  std::vector<Index> distant_vertices() const
+  {
+    const Refined_surface walled = wall_off(m_cut.surface, m_kept_out);
+    const Opened_surface opened = open_along(walled);
+    for (const Surface_piece& piece : pieces_of(surface_of(walled, opened)))
+    {
+      if (m_kept_out[piece.faces.front()]) { continue; }
+      const Closed_model g = make_closed_model(piece.surface);
+      const auto [from, to] = find_distant_nodes(piece.surface, g);
+      return {vertex_of_whole(piece, walled, opened, g.representative[from]),
+              vertex_of_whole(piece, walled, opened, g.representative[to])};
+    }
+    return {};
+  }
+
   const Triangle_surface& m_root;
   const Completion_options& m_options;
   Cut& m_cut;
   const Stage_runner m_run;
+  std::vector<char> m_kept_out;           // of each face of the root
+  Refined_surface m_pieces_of;            // what is taken apart into pieces,
+  Opened_surface m_opened;                // taken apart
   std::vector<Surface_curve> m_meridians; // on the whole surface
   std::vector<Index> m_saddles;           // of each of them
 };

@@ -75,7 +75,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, con
 }
 
 std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases, const Progress& progress,
-                                              const Edge_metric& metric)
+                                              const Edge_metric& metric, const std::function<bool(Index)>& may_be_base)
 {
   if (bases < 1)
   {
@@ -89,6 +89,14 @@ std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bas
   const Closed_model g = make_closed_model(s);
   std::vector<double> far(n, std::numeric_limits<double>::infinity());
   Index base = takes_all || g.number_of_nodes < 2 ? 0 : g.representative[find_distant_nodes(s, g).first];
+  if (may_be_base && !takes_all)
+  {
+    for (Index v = 0; v < n; ++v)
+    {
+      if (!may_be_base(v)) { far[v] = -1; }
+    }
+    if (far[base] < 0) { base = static_cast<Index>(std::max_element(far.begin(), far.end()) - far.begin()); }
+  }
   std::vector<Index> shortest;
   double least = std::numeric_limits<double>::infinity();
   const Index wanted = takes_all ? n : static_cast<Index>(bases);

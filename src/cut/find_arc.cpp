@@ -26,13 +26,39 @@ std::vector<Index> border_of(const Triangle_surface& disc)
   return border;
 }
 
+// What an arc shall keep out of: it is farther away than anything else, and what is reached across it too.
+class Detours
+{
+public:
+  Detours(const Triangle_surface& disc, const std::vector<char>& kept_out) : m_disc(disc), m_kept_out(kept_out)
+  {
+    for (Index h = 0; h < disc.number_of_halfedges() && !kept_out.empty(); ++h) { m_length += disc.length(h); }
+  }
+
+  double into(Index f) const { return is_kept_out(f) ? m_length : 0; }
+  double along(Index h) const
+  {
+    const Index o = m_disc.opposite[h];
+    return is_kept_out(m_disc.face(h)) && (o < 0 || is_kept_out(m_disc.face(o))) ? m_length : 0;
+  }
+  // Whether a way of some length makes one.
+  bool makes(double length) const { return !m_kept_out.empty() && !(length < m_length); }
+
+private:
+  bool is_kept_out(Index f) const { return !m_kept_out.empty() && m_kept_out[f]; }
+
+  const Triangle_surface& m_disc;
+  const std::vector<char>& m_kept_out;
+  double m_length = 0;
+};
+
 // The Voronoi diagram of the border's vertices, face by face. The distance of a face is measured to the middle of the
 // edge by which it was entered.
 class Face_cells
 {
 public:
-  Face_cells(const Triangle_surface& disc, const std::vector<Index>& border)
-    : m_disc(disc), m_border(border), m_reached(disc.number_of_faces())
+  Face_cells(const Triangle_surface& disc, const std::vector<Index>& border, const Detours& detours)
+    : m_disc(disc), m_border(border), m_detours(detours), m_reached(disc.number_of_faces())
   {
     grow();
   }
@@ -71,8 +97,8 @@ private:
       m_disc.for_each_outgoing(m_border[i], [&](Index h) {
         Reached& r = m_reached[m_disc.face(h)];
         if (r.cell >= 0) { return; }
-        r = {0, m_disc.points[m_border[i]], -1, static_cast<Index>(i)};
-        queue.reach(0, m_disc.face(h));
+        r = {m_detours.into(m_disc.face(h)), m_disc.points[m_border[i]], -1, static_cast<Index>(i)};
+        queue.reach(r.distance, m_disc.face(h));
       });
     std::vector<char> is_done(m_disc.number_of_faces(), 0);
     queue.search([&](double, Index f) {
@@ -80,7 +106,7 @@ private:
       for (Index h = 3 * f; h < 3 * f + 3; ++h)
       {
         if (m_disc.opposite[h] < 0 || is_done[m_disc.face(m_disc.opposite[h])]) { continue; }
-        const double d = length_to(h);
+        const double d = length_to(h) + m_detours.into(m_disc.face(m_disc.opposite[h]));
         Reached& r = m_reached[m_disc.face(m_disc.opposite[h])];
         if (!(d < r.distance)) { continue; }
         r = {d, m_disc.point_on(h, 0.5), h, cell(f)};
@@ -92,6 +118,7 @@ private:
 
   const Triangle_surface& m_disc;
   const std::vector<Index>& m_border;
+  const Detours& m_detours;
   std::vector<Reached> m_reached;
 };
 
@@ -99,7 +126,7 @@ private:
 class Vertex_cells
 {
 public:
-  Vertex_cells(const Triangle_surface& disc, const std::vector<Index>& border)
+  Vertex_cells(const Triangle_surface& disc, const std::vector<Index>& border, const Detours& detours)
     : m_disc(disc), m_by(disc.number_of_vertices(), -1), m_cell(disc.number_of_vertices(), -1)
   {
     std::vector<std::pair<double, Index>> starts;
@@ -110,7 +137,7 @@ public:
     }
     m_distance = find_shortest_ways(disc.number_of_vertices(), starts, [&](Index v, const auto& reach) {
       disc.for_each_outgoing(v, [&](Index h) {
-        if (!reach(disc.target(h), disc.length(h))) { return; }
+        if (!reach(disc.target(h), disc.length(h) + detours.along(h))) { return; }
         m_by[disc.target(h)] = h;
         m_cell[disc.target(h)] = m_cell[v];
       });
@@ -193,8 +220,8 @@ class Arc_values
 public:
   // `cell`: of each face.
   Arc_values(const Triangle_surface& disc, std::size_t border, const std::vector<Index>& cell,
-             const std::vector<std::array<Index, 2>>& apart)
-    : m_pairs(border, cell, apart), m_area_before(border + 1, 0)
+             const std::vector<std::array<Index, 2>>& apart, const Detours& detours)
+    : m_pairs(border, cell, apart), m_detours(detours), m_area_before(border + 1, 0)
   {
     for (Index f = 0; f < disc.number_of_faces(); ++f)
     {
@@ -208,7 +235,7 @@ public:
   // Adds an arc to some candidates, unless it brings nothing.
   void add(std::vector<Arc_candidate>& all, Index a, Index b, double length, Index h, bool along) const
   {
-    if (a == b) { return; }
+    if (a == b || m_detours.makes(length)) { return; }
     const double smaller = smaller_part(std::min(a, b), std::max(a, b));
     const double parted = m_pairs.is_empty() ? 1 : m_pairs.parted(std::min(a, b), std::max(a, b));
     if (!(smaller > 0) || !(parted > 0)) { return; }
@@ -236,11 +263,13 @@ private:
   }
 
   const Pair_counts m_pairs;
+  const Detours& m_detours;
   std::vector<double> m_area_before; // of the cells before each place
 };
 
 // The arc of a candidate, straight, or nothing if it shrinks to a part of the border.
-Surface_curve straight_arc(const Triangle_surface& disc, const Face_cells& cells, const Arc_candidate& c)
+Surface_curve straight_arc(const Triangle_surface& disc, const Face_cells& cells, const Detours& detours,
+                           const Arc_candidate& c)
 {
   Sleeve sleeve{disc.source(c.halfedge), disc.target(c.halfedge), {}};
   if (!c.along)
@@ -257,33 +286,36 @@ Surface_curve straight_arc(const Triangle_surface& disc, const Face_cells& cells
       if (sleeve.start == sleeve.end || h < 0 || disc.opposite[h] < 0) { return {}; }
     }
   }
-  return shortest_curve(
-    disc, sleeve, [&](Index h) { return disc.opposite[h] >= 0; }, [&](Index v) { return !disc.is_boundary_vertex(v); });
+  const auto may_cross = [&](Index h) {
+    const Index o = disc.opposite[h];
+    return o >= 0 && !(detours.into(disc.face(h)) > 0) && !(detours.into(disc.face(o)) > 0);
+  };
+  return shortest_curve(disc, sleeve, may_cross, [&](Index v) { return !disc.is_boundary_vertex(v); });
 }
 
 Surface_curve find_straight_arc(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart,
-                                const std::function<bool(const Surface_curve&)>& is_good)
+                                const std::function<bool(const Surface_curve&)>& is_good, const Detours& detours)
 {
   const std::vector<Index> border = border_of(disc);
   std::vector<Index> place(disc.number_of_vertices(), -1), cell;
   for (std::size_t i = 0; i < border.size(); ++i) { place[border[i]] = static_cast<Index>(i); }
-  const Face_cells cells(disc, border);
+  const Face_cells cells(disc, border, detours);
   for (Index f = 0; f < disc.number_of_faces(); ++f) { cell.push_back(cells.cell(f)); }
-  const Arc_values values(disc, border.size(), cell, apart);
+  const Arc_values values(disc, border.size(), cell, apart, detours);
   std::vector<Arc_candidate> all;
   for (Index h = 0; h < disc.number_of_halfedges(); ++h)
   {
     const Index o = disc.opposite[h];
     if (o < h) { continue; }
     const Index a = place[disc.source(h)], b = place[disc.target(h)];
-    if (a >= 0 && b >= 0) { values.add(all, a, b, disc.length(h), h, true); }
+    if (a >= 0 && b >= 0) { values.add(all, a, b, disc.length(h) + detours.along(h), h, true); }
     values.add(all, cell[disc.face(h)], cell[disc.face(o)], cells.length_to(h) + cells.length_to(o), h, false);
   }
   Arc_values::sort(all);
   int left = 100;
   for (const Arc_candidate& candidate : all)
   {
-    Surface_curve arc = straight_arc(disc, cells, candidate);
+    Surface_curve arc = straight_arc(disc, cells, detours, candidate);
     if (arc.points.empty()) { continue; }
     if (!is_good || is_good(arc)) { return arc; }
     if (--left == 0) { break; }
@@ -291,20 +323,21 @@ Surface_curve find_straight_arc(const Triangle_surface& disc, const std::vector<
   return {};
 }
 
-Surface_curve find_arc_of_edges(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart)
+Surface_curve find_arc_of_edges(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart,
+                                const Detours& detours)
 {
   const std::vector<Index> border = border_of(disc);
-  const Vertex_cells cells(disc, border);
+  const Vertex_cells cells(disc, border, detours);
   std::vector<Index> cell;
   for (Index f = 0; f < disc.number_of_faces(); ++f) { cell.push_back(cells.cell_of_face(f)); }
-  const Arc_values values(disc, border.size(), cell, apart);
+  const Arc_values values(disc, border.size(), cell, apart, detours);
   std::vector<Arc_candidate> all;
   for (Index h = 0; h < disc.number_of_halfedges(); ++h)
   {
     if (disc.opposite[h] < h) { continue; }
     const Index v = disc.source(h), w = disc.target(h);
-    values.add(all, cells.cell(v), cells.cell(w), cells.distance_of(v) + disc.length(h) + cells.distance_of(w), h,
-               true);
+    values.add(all, cells.cell(v), cells.cell(w),
+               cells.distance_of(v) + disc.length(h) + detours.along(h) + cells.distance_of(w), h, true);
   }
   if (all.empty()) { return {}; }
   Arc_values::sort(all);
@@ -322,9 +355,11 @@ Surface_curve find_arc_of_edges(const Triangle_surface& disc, const std::vector<
 } // namespace internal
 
 Surface_curve find_arc(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart, bool on_edges,
-                       const std::function<bool(const Surface_curve&)>& is_good)
+                       const std::function<bool(const Surface_curve&)>& is_good, const std::vector<char>& kept_out)
 {
-  return on_edges ? internal::find_arc_of_edges(disc, apart) : internal::find_straight_arc(disc, apart, is_good);
+  const internal::Detours detours(disc, kept_out);
+  return on_edges ? internal::find_arc_of_edges(disc, apart, detours)
+                  : internal::find_straight_arc(disc, apart, is_good, detours);
 }
 
 } // namespace meridian

@@ -21,7 +21,7 @@ std::vector<std::vector<Index>> link_boundaries(const Triangle_surface& root, Re
                                                 const Progress& progress, std::vector<Index>* parents,
                                                 const std::vector<Index>& points)
 {
-  internal::Slit_surface slit(root, s, options.bifurcations);
+  internal::Slit_surface slit(root, s, options.bifurcations, options.kept_out);
   const bool is_closed = slit.number_of_loops() == 0;
   if (options.source >= 0) { slit.add_point(options.source); }
   for (Index v : points) { slit.add_point(v); }

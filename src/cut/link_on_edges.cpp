@@ -24,9 +24,10 @@ namespace {
 class Edge_linker
 {
 public:
-  Edge_linker(Refined_surface& s, const std::vector<Index>& points)
-    : m_surface(s), m_slit(s, s, true), m_distance(s.number_of_vertices(), std::numeric_limits<double>::infinity()),
-      m_by(s.number_of_vertices(), -1), m_is_used(s.number_of_vertices(), 0)
+  Edge_linker(Refined_surface& s, const std::vector<Index>& points, const std::vector<char>& kept_out)
+    : m_surface(s), m_slit(s, s, true, kept_out),
+      m_distance(s.number_of_vertices(), std::numeric_limits<double>::infinity()), m_by(s.number_of_vertices(), -1),
+      m_is_used(s.number_of_vertices(), 0)
   {
     const bool is_closed = m_slit.number_of_loops() == 0;
     for (Index v : points) { m_slit.add_point(v); }
@@ -102,7 +103,7 @@ private:
     if (!m_slit.may_cross(h)) { return; }
     const Index v = m_surface.source(h), w = m_surface.target(h);
     if (m_forbidden[0] >= 0 && std::minmax(v, w) == std::minmax(m_forbidden[0], m_forbidden[1])) { return; }
-    m_queue.reach(d + m_surface.length(h), h);
+    m_queue.reach(d + m_surface.length(h) + m_slit.detour_along(h), h);
   }
 
   Refined_surface& m_surface;
@@ -121,9 +122,10 @@ private:
 
 } // namespace internal
 
-std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, const std::vector<Index>& points)
+std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, const std::vector<Index>& points,
+                                                         const std::vector<char>& kept_out)
 {
-  internal::Edge_linker linker(s, points);
+  internal::Edge_linker linker(s, points, kept_out);
   std::vector<std::vector<Index>> links;
   if (linker.number_of_loops() < 2) { return links; }           // a disc already
   for (Index loop = 0; loop < linker.number_of_loops(); ++loop) // one piece after the other

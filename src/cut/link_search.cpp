@@ -64,18 +64,18 @@ void Link_search::seed_cell(Index loop, Growth& growth)
   const Refined_surface& s = m_slit.surface();
   for_each_corner(loop, [&](Index h) {
     const Index f = s.face(h), g = s.next(h);
-    if (m_reached[f].distance > 0)
+    if (m_slit.detour(f) < m_reached[f].distance)
     {
-      m_reached[f] = {0, s.points[s.source(h)], h, true};
+      m_reached[f] = {m_slit.detour(f), s.points[s.source(h)], h, true};
       m_cell[f] = loop;
-      growth.reach(0, {f, -1, false});
+      growth.reach(m_reached[f].distance, {f, -1, false});
     }
     for (const Index k : {h, s.prev(h)}) // an edge from this boundary to another
     {
       const Index end = k == h ? g : k;
       if (m_slit.may_cross(k) && m_slit.loop(end) >= 0 && m_slit.loop(end) != loop)
       {
-        growth.reach(s.length(k) / 2, {-1, k, true});
+        growth.reach((s.length(k) + m_slit.detour_along(k)) / 2, {-1, k, true});
       }
     }
   });
@@ -104,11 +104,11 @@ void Link_search::leave_face(Index f, const std::vector<char>& is_done, Growth& 
         growth.reach((d + m_reached[g].distance + distance(m_reached[g].entry, middle)) / 2, {-1, h, false});
       continue;
     }
-    if (d < m_reached[g].distance)
+    if (d + m_slit.detour(g) < m_reached[g].distance)
     {
-      m_reached[g] = {d, middle, h, false};
+      m_reached[g] = {d + m_slit.detour(g), middle, h, false};
       m_cell[g] = m_cell[f];
-      growth.reach(d, {g, -1, false});
+      growth.reach(m_reached[g].distance, {g, -1, false});
     }
   }
 }
@@ -139,7 +139,8 @@ bool Link_search::search(Index from, Sleeve& sleeve, const std::function<bool(In
     return loop >= 0 && (to >= 0 ? m_slit.are_joined(loop, to) : !m_slit.are_joined(loop, from));
   };
   for_each_corner(from, [&](Index h) {
-    if (is_allowed(s.face(h))) { reach(s.face(h), {0, s.points[s.source(h)], h, true}); }
+    const Index f = s.face(h);
+    if (is_allowed(f)) { reach(f, {m_slit.detour(f), s.points[s.source(h)], h, true}); }
   });
   return queue.search([&](double, const std::pair<Index, Index>& place) {
     const auto [f, corner] = place;
@@ -153,7 +154,7 @@ bool Link_search::search(Index from, Sleeve& sleeve, const std::function<bool(In
       const Index g = s.face(s.opposite[h]);
       if (!is_allowed(g) || done.count(g)) { continue; }
       const Point middle = s.point_on(h, 0.5);
-      reach(g, {r.distance + distance(r.entry, middle), middle, h, false});
+      reach(g, {r.distance + distance(r.entry, middle) + m_slit.detour(g), middle, h, false});
     }
     return false;
   });

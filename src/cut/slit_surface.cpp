@@ -14,10 +14,12 @@ namespace meridian {
 
 namespace internal {
 
-Slit_surface::Slit_surface(const Triangle_surface& root, Refined_surface& s, bool bifurcations)
-  : m_root(root), m_surface(s), m_bifurcations(bifurcations), m_loop(s.number_of_halfedges(), -1),
-    m_is_used(s.number_of_vertices(), 0)
+Slit_surface::Slit_surface(const Triangle_surface& root, Refined_surface& s, bool bifurcations,
+                           std::vector<char> kept_out)
+  : m_root(root), m_surface(s), m_bifurcations(bifurcations), m_kept_out(std::move(kept_out)),
+    m_loop(s.number_of_halfedges(), -1), m_is_used(s.number_of_vertices(), 0)
 {
+  for (Index h = 0; h < s.number_of_halfedges() && !m_kept_out.empty(); ++h) { m_detour += s.length(h); }
   std::vector<char> is_done(s.number_of_halfedges(), 0);
   for (Index first = 0; first < s.number_of_halfedges(); ++first)
   {
@@ -46,7 +48,9 @@ void Slit_surface::add_point(Index v)
 
 std::vector<Index> Slit_surface::insert(Sleeve sleeve)
 {
-  const auto crossable = [&](Index h) { return may_cross(h); };
+  const auto crossable = [&](Index h) {
+    return may_cross(h) && !is_kept_out(m_surface.face(h)) && !is_kept_out(m_surface.face(m_surface.opposite[h]));
+  };
   const auto free = [&](Index v) { return is_free(v); };
   const Index a = loop_at(sleeve, true), b = loop_at(sleeve, false);
   Surface_curve curve = shortest_curve(m_surface, sleeve, crossable, free);

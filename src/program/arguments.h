@@ -71,6 +71,7 @@ struct Unwrap_arguments : Cut_arguments // with a family, the best of its member
   int charts = 1;                                   // 0: as many as are needed
   std::string seams;                                // `uv`, `sharp:ANGLE`, a path, or empty
   std::optional<Chart_per> chart_per;
+  std::string keep_out; // `red`, a path, or empty
   Pack_options packing;
 };
 

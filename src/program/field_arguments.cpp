@@ -109,6 +109,13 @@ Loaded_mesh load_mesh(const Field_arguments& a, bool with_attributes)
   return loaded;
 }
 
+Index point_of(const Loaded_mesh& loaded, const Surface_component& c, Index v)
+{
+  const auto n = static_cast<Index>(loaded.soup.points.size());
+  const Index p = c.vertex_of[v];
+  return p < n ? p : loaded.examination.added_vertex_of[p - n];
+}
+
 Index find_local(Index vertex, const Surface_component& c)
 {
   const auto found = find_local(std::vector<Index>{vertex}, c);

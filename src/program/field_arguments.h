@@ -39,6 +39,9 @@ struct Loaded_mesh
 // Reads and examines the mesh, and checks the vertices that options name. Signals are heeded once it is read.
 Loaded_mesh load_mesh(const Field_arguments& arguments, bool with_attributes = false);
 
+// The vertex of the file that a vertex of a component is.
+Index point_of(const Loaded_mesh& loaded, const Surface_component& component, Index vertex);
+
 // Those of the vertices of the file that lie on a component, in its numbers.
 Index find_local(Index vertex, const Surface_component& component); // or -1
 std::vector<Index> find_local(const std::vector<Index>& vertices, const Surface_component& component);

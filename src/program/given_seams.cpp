@@ -33,14 +33,6 @@ std::optional<double> sharp_angle(const std::string& word)
   return error == std::errc() && end == last && angle > 0 && angle < 180 ? std::optional<double>(angle) : std::nullopt;
 }
 
-// The point of the file that a vertex of a component is.
-Index point_of(const Loaded_mesh& loaded, const Surface_component& c, Index v)
-{
-  const auto n = static_cast<Index>(loaded.soup.points.size());
-  const Index p = c.vertex_of[v];
-  return p < n ? p : loaded.examination.added_vertex_of[p - n];
-}
-
 // Whether an edge of a component, given by a halfedge, is a seam.
 using Is_seam = std::function<bool(const Surface_component&, Index)>;
 

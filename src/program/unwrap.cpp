@@ -4,6 +4,7 @@
 #include "end_run.h"
 #include "files/Mesh_format.h"
 #include "given_seams.h"
+#include "kept_out.h"
 #include "options.h"
 #include "unwrap_run.h"
 
@@ -60,12 +61,13 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(a.packing.tiles > 1 && !(a.layout.empty() && a.view.empty()),
          "--svg and --view show one texture; leave out --tiles");
   forbid(a.packing.density > 0 && a.geometry_image > 0, "a geometry image fills its square; leave out --density");
-  const bool has_seams = has_given_seams(a);
+  const bool has_seams = has_given_seams(a), has_wishes = has_seams || !a.keep_out.empty();
   forbid(a.seams.compare(0, 6, "sharp:") == 0 && !is_kind_of_seam(a.seams),
          "--seams sharp:ANGLE takes an angle in degrees, more than 0 and less than 180");
-  forbid(has_seams && a.geometry_image > 0, "--geometry-image has a cut of its own; leave out --seams and --chart-per");
-  forbid(has_seams && (a.family > 1 || a.stretch_weight > 0),
-         "--family and --stretch-weight compare cuts; leave out --seams and --chart-per");
+  forbid(has_wishes && a.geometry_image > 0,
+         "--geometry-image has a cut of its own; leave out --seams, --chart-per and --keep-out");
+  forbid(has_wishes && (a.family > 1 || a.stretch_weight > 0),
+         "--family and --stretch-weight compare cuts; leave out --seams, --chart-per and --keep-out");
   if (a.geometry_image > 0)
   {
     forbid(a.on_edges, "--geometry-image divides edges at the corners of the square; leave out --on-edges");
@@ -89,11 +91,12 @@ std::vector<Unwrap_arguments> arguments_of_each(const Unwrap_arguments& a)
     forbid(n > 1 && !path.empty(),
            "pictures, curves, pages and doubled vertices are of one mesh; leave them out for several");
   }
-  forbid(n > 1 && (a.geometry_image > 0 || has_seams_of_one),
-         "geometry images and paths of seams are of one mesh; leave them out for several");
+  forbid(n > 1 && (a.geometry_image > 0 || has_seams_of_one || names_file_of_kept_out(a)),
+         "geometry images, and files for --seams and --keep-out, are of one mesh; leave them out for several");
   std::vector<Unwrap_arguments> each(n, a);
   std::vector<std::string> written{a.report}, read = a.meshes;
   read.push_back(has_seams_of_one ? a.seams : "");
+  read.push_back(names_file_of_kept_out(a) ? a.keep_out : "");
   for (std::size_t i = 0; i < n; ++i)
   {
     each[i].mesh = a.meshes[i];
@@ -127,11 +130,13 @@ std::vector<Unwrap_options> unwrap_options(const Unwrap_arguments& arguments, co
                                            const std::vector<Cut_options>& cuts)
 {
   std::vector<std::vector<Index>> seams = find_given_seams(arguments, loaded);
+  std::vector<std::vector<Index>> keep_out = find_kept_out(arguments, loaded);
   std::vector<Unwrap_options> options;
   for (std::size_t i = 0; i < cuts.size(); ++i)
   {
     options.push_back(unwrap_options(arguments, cuts[i]));
     options.back().seams = std::move(seams[i]);
+    options.back().keep_out = std::move(keep_out[i]);
     if (cuts.size() > 1) { options.back().filled = 0; } // they fill the square together
   }
   return options;
@@ -356,6 +361,14 @@ void add_seam_options(CLI::App& command, Unwrap_arguments& a)
                                   command, "--chart-per", [&a](Chart_per per) { a.chart_per = per; }, "",
                                   "cut between parts of MESH, likewise")
                                   ->group("Charts"));
+  exclude_ways_to_cut(
+    command, *command
+                .add_option("--keep-out", a.keep_out,
+                            "lead no seam over faces all of whose corners are marked, where that can be:"
+                            "\n  red, painted in that colour"
+                            "\n  FILE, a text file of numbers, one a vertex of MESH, more than 0 for those marked")
+                ->type_name("red|FILE")
+                ->group("Charts"));
 }
 
 void add_chart_options(CLI::App& command, Unwrap_arguments& a)
@@ -415,6 +428,10 @@ Command add_unwrap(CLI::App& app)
             a->has_border = command->count("--border") > 0;
             if (command->count("--shortest-seams") > 0) { a->max_stretch = 0; }
             if (command->count("--seams") > 0 && a->seams.empty()) { throw Usage_error("--seams names nothing"); }
+            if (command->count("--keep-out") > 0 && a->keep_out.empty())
+            {
+              throw Usage_error("--keep-out names nothing");
+            }
             return run_unwrap(*a);
           }};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `unwrap` reports, and says in words.
 #include "given_seams.h"
+#include "kept_out.h"
 #include "unwrap_run.h"
 
 #include <meridian/base/Result_mesh.h>
@@ -192,6 +193,8 @@ void report_run(Unwrap_run& run)
   }
   run.warnings = warnings_of(run.unwrapped);
   run.missed = missed_of(arguments, run.unwrapped, run.options);
+  const std::vector<std::string> missed = missed_kept_out(run.options, result.cuts, components);
+  run.missed.insert(run.missed.end(), missed.begin(), missed.end());
   const Result_mesh& mesh = result.assembled.mesh;
   run.report = {{"meridian", MERIDIAN_VERSION},
                 {"input", report_input(arguments.mesh, run.loaded.soup, run.loaded.examination)},

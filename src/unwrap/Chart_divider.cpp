@@ -4,10 +4,8 @@
 #include <meridian/base/Stage_runner.h>
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
-#include <meridian/cut/By_contours.h>
-#include <meridian/cut/complete_cut.h>
-#include <meridian/cut/cut_to_disc.h>
 #include <meridian/cut/find_arc.h>
+#include <meridian/cut/keep_out.h>
 #include <meridian/cut/open_cut.h>
 #include <meridian/map/find_overlaps.h>
 #include <meridian/map/is_one_to_one.h>
@@ -21,6 +19,7 @@
 #include <meridian/surface/seams.h>
 #include <meridian/unwrap/carry_map.h>
 #include <meridian/unwrap/extend_cut.h>
+#include <meridian/unwrap/internal/first_cut.h>
 #include <meridian/unwrap/plan_extensions.h>
 
 #include <algorithm>
@@ -73,32 +72,10 @@ bool is_good_start(const Triangle_surface& disc, const std::vector<Plane_point>&
   return is_roomy(border, at) && is_one_to_one(disc, at);
 }
 
-// Whether `complete_cut()` does what is chosen about a cut.
-bool completes_seams(const Cut_options& o)
-{
-  return std::holds_alternative<By_contours>(o.method) && o.tightening != Tightening::GRAPH
-         && o.link_domain == Link_domain::SURFACE && o.links.source < 0 && !o.refine_where_needed;
-}
-
-std::vector<Index> sharp_edges(const Triangle_surface& s, double angle)
-{
-  std::vector<Index> edges;
-  for (Index h = 0; h < s.number_of_halfedges(); ++h)
-  {
-    if (s.opposite[h] > h && exterior_dihedral_angle(s, h) > angle) { edges.push_back(h); }
-  }
-  return edges;
-}
-
-Completion_options completion_options(const Cut_options& o)
-{
-  return {o.on_edges, o.links.bifurcations, o.tighten_options, o.solvers, o.observer};
-}
-
 } // namespace
 
 Chart_divider::Chart_divider(const Triangle_surface& root, const Unwrap_options& options)
-  : m_root(root), m_options(options), m_wanted(wanted_excess(options)),
+  : m_root(root), m_options(options), m_kept_out(kept_out_of(root, options)), m_wanted(wanted_excess(options)),
     m_extends(options.seams.empty() || options.charts == 0 || options.max_stretch)
 {
   const auto forbid = [](bool is_wrong, const char* message) {
@@ -110,9 +87,7 @@ Chart_divider::Chart_divider(const Triangle_surface& root, const Unwrap_options&
   forbid(options.family != 1 || options.stretch_weight > 0,
          "cuts are compared, and links varied, for one chart; charts = 1, and no seams");
   forbid(!options.map.polygon.empty(), "a polygon for the border is for one chart; charts = 1, and no seams");
-  forbid(!options.seams.empty() && !completes_seams(options.cut),
-         "seams that are given are completed by contours and links over the surface, and stay where they are: no other "
-         "method, domain or source of links, and no tightening of the graph");
+  check_wishes(options);
   if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
 }
 
@@ -144,21 +119,31 @@ Unwrapping Chart_divider::run()
 
 void Chart_divider::cut()
 {
-  if (!m_options.seams.empty())
-  {
-    m_result.cut = complete_cut(m_root, m_options.seams, completion_options(m_options.cut));
-    return;
-  }
-  m_result.cut = cut_to_disc(m_root, m_options.cut);
-  if (!is_automatic() || !completes_seams(m_options.cut)) { return; }
+  m_result.cut = first_cut(m_root, m_options.seams, m_options);
+  if (!is_automatic() || !m_options.seams.empty() || !completes_seams(m_options.cut)) { return; }
   // seams along sharp edges cost little where they are not longer than arcs would make it: what is between is all but
   // flat
   constexpr double sharp = 30 / 180. * 3.14159265358979, longer = 1.55;
   const double most = longer * m_result.cut.length;
-  const std::vector<Index> edges = sharp_edges(m_root, sharp);
+  const std::vector<Index> edges = sharp_edges(sharp);
   if (edges.empty() || length_of_edges(m_root, edges) > most) { return; }
-  Cut other = complete_cut(m_root, edges, completion_options(m_options.cut));
+  Cut other = first_cut(m_root, edges, m_options);
   if (other.length <= most) { m_result.cut = std::move(other); }
+}
+
+std::vector<Index> Chart_divider::sharp_edges(double angle) const
+{
+  const auto is_kept_out = [&](Index h) { return !m_kept_out.empty() && m_kept_out[m_root.face(h)]; };
+  std::vector<Index> edges;
+  for (Index h = 0; h < m_root.number_of_halfedges(); ++h)
+  {
+    const Index o = m_root.opposite[h];
+    if (o > h && !(is_kept_out(h) && is_kept_out(o)) && exterior_dihedral_angle(m_root, h) > angle)
+    {
+      edges.push_back(h);
+    }
+  }
+  return edges;
 }
 
 std::vector<Plane_point> Chart_divider::joined_maps() const
@@ -245,16 +230,17 @@ bool Chart_divider::extend(double wanted)
   Extension_plan plan;
   try
   {
-    plan =
-      plan_extensions(m_result.disc, goal, m_options.extensions - m_result.extended, m_options.cut.solvers.laplace);
+    plan = plan_extensions(m_result.disc, goal, m_options.extensions - m_result.extended, m_options.cut.solvers.laplace,
+                           carry_kept_out(m_result.cut.surface, m_kept_out));
   }
   catch (const Solver_error&)
   {} // then it is divided
   if (plan.vertices.empty()) { return false; }
   Cut before = m_result.cut;
-  extend_cut(m_root, m_result.cut, plan.vertices, m_options.cut.on_edges);
+  extend_cut(m_root, m_result.cut, plan.vertices, m_options.cut.on_edges, m_kept_out);
   update_charts();
-  if (now - excess() < (now - wanted) / 3) // it does not pay
+  const double least = (now - wanted) / (m_kept_out.empty() ? 3 : 20); // around what is kept out of, there is no better
+  if (now - excess() < least)                                          // it does not pay
   {
     m_result.cut = std::move(before);
     update_charts();
@@ -302,7 +288,10 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
       return carry_to_whole(chart.piece, m_result.cut.surface, m_result.cut.opened, std::move(a));
     };
     const auto is_good = [&](const Surface_curve& a) { return has_room(carry_over(a)); };
-    const auto find = [&] { return find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges, is_good); };
+    const std::vector<char> kept_out = kept_out_in(chart);
+    const auto find = [&] {
+      return find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges, is_good, kept_out);
+    };
     Surface_curve arc = find();
     if (arc.points.empty() && !chart.apart.empty()) // what overlaps is too small to be parted
     {
@@ -321,6 +310,14 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   open_cut(m_result.cut);
   update_charts(has_maps ? draw_curves(before, at, m_result.cut, done.parent) : std::vector<Plane_point>());
   return true;
+}
+
+std::vector<char> Chart_divider::kept_out_in(const Chart& chart) const
+{
+  std::vector<char> kept_out;
+  if (m_kept_out.empty()) { return kept_out; }
+  for (Index f : chart.piece.faces) { kept_out.push_back(m_kept_out[m_result.cut.surface.face_of[f]]); }
+  return kept_out;
 }
 
 bool Chart_divider::has_room(const Surface_curve& arc) const

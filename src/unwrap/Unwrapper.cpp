@@ -6,6 +6,7 @@
 #include <meridian/base/Verification.h>
 #include <meridian/base/exceptions.h>
 #include <meridian/cut/cut_to_disc.h>
+#include <meridian/cut/keep_out.h>
 #include <meridian/field/geodesic_distance.h>
 #include <meridian/map/Parameterization.h>
 #include <meridian/map/parameterize_disc.h>
@@ -16,9 +17,11 @@
 #include <meridian/unwrap/carry_map.h>
 #include <meridian/unwrap/cut_family.h>
 #include <meridian/unwrap/extend_cut.h>
+#include <meridian/unwrap/internal/first_cut.h>
 #include <meridian/unwrap/plan_extensions.h>
 #include <meridian/unwrap/square_border.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace meridian {
@@ -55,7 +58,7 @@ double Unwrapper::wanted_stretch() const
 void Unwrapper::cut_and_map()
 {
   m_chosen = m_options.cut;
-  m_best.cut = cut_to_disc(m_root, m_chosen);
+  m_best.cut = first_cut(m_root, {}, m_options);
   std::vector<Index> vertices;
   if (may_unfold() && !(m_options.stretch_weight > 0))
   {
@@ -118,7 +121,8 @@ std::vector<Index> Unwrapper::plan(const Triangle_surface& disc, std::vector<Exp
   };
   try
   {
-    return plan_extensions(disc, goal, m_options.extensions - m_extended, m_chosen.solvers.laplace).vertices;
+    return plan_extensions(disc, goal, m_options.extensions - m_extended, m_chosen.solvers.laplace, kept_out_of_best())
+      .vertices;
   }
   catch (const Solver_error&)
   {
@@ -312,18 +316,29 @@ void Unwrapper::extend()
     }
     // otherwise to the regions of highest stretch
     const bool is_hopeless = stretch < fair_stretch && !m_options.max_stretch;
-    if (is_hopeless || !extend_to(find_stretched_vertices(m_best.disc, m_best.map, at_once))) { break; }
+    if (is_hopeless || !extend_to(stretched_vertices(at_once))) { break; }
   }
 }
 
 std::vector<Index> Unwrapper::extend_best(const std::vector<Index>& vertices, Unwrapping& u)
 {
   u.cut = m_best.cut;
-  std::vector<Index> parents = extend_cut(m_root, u.cut, vertices, m_chosen.on_edges);
+  std::vector<Index> parents = extend_cut(m_root, u.cut, vertices, m_chosen.on_edges, m_kept_out);
   check_cut(name_of_extension(vertices), u);
   u.extended = m_best.extended + vertices.size();
   m_extended += vertices.size();
   return parents;
+}
+
+std::vector<char> Unwrapper::kept_out_of_best() const { return carry_kept_out(m_best.cut.surface, m_kept_out); }
+
+std::vector<Index> Unwrapper::stretched_vertices(std::size_t most) const
+{
+  const std::vector<char> inside = vertices_inside(m_best.disc, kept_out_of_best());
+  std::vector<Index> peaks = find_stretched_vertices(m_best.disc, m_best.map, inside.size());
+  peaks.erase(std::remove_if(peaks.begin(), peaks.end(), [&](Index v) { return inside[v]; }), peaks.end());
+  if (peaks.size() > most) { peaks.resize(most); }
+  return peaks;
 }
 
 void Unwrapper::extend_one_by_one()
@@ -335,7 +350,7 @@ void Unwrapper::extend_one_by_one()
   for (bool goes_on = true; goes_on && may_go_on();)
   {
     goes_on = false;
-    const auto peaks = find_stretched_vertices(m_best.disc, m_best.map, 4);
+    const auto peaks = stretched_vertices(4);
     for (std::size_t i = 0; i < peaks.size() && !goes_on; ++i) { goes_on = extend_to({peaks[i]}); }
   }
 }
@@ -357,9 +372,10 @@ bool Unwrapper::extend_to_useless()
   Unwrapping u;
   u.cut = m_best.cut;
   std::vector<char> is_marked(u.cut.surface.number_of_vertices(), 0);
+  const std::vector<char> inside = vertices_inside(m_best.disc, kept_out_of_best());
   for (std::size_t f = 0; f < m_best.map.faces.size(); ++f)
     for (Index v : m_best.disc.triangles[f])
-      if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v))
+      if (!(m_best.map.faces[f].stretch_l2 < 10 * useless_stretch) && !m_best.disc.is_boundary_vertex(v) && !inside[v])
       {
         is_marked[v] = 1;
       }
@@ -377,7 +393,7 @@ bool Unwrapper::extend_to_useless()
       }
     if (deepest < 0 || depth[g.node[deepest]] < first / 4) { break; }
     if (extended == 0) { first = depth[g.node[deepest]]; }
-    extend_cut(m_root, u.cut, {deepest}, m_chosen.on_edges);
+    extend_cut(m_root, u.cut, {deepest}, m_chosen.on_edges, m_kept_out);
   }
   if (extended == 0) { return false; }
   u.extended = m_best.extended + extended;

@@ -16,13 +16,15 @@
 
 namespace meridian {
 
-std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, const std::vector<Index>& vertices, bool on_edges)
+std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, const std::vector<Index>& vertices, bool on_edges,
+                              const std::vector<char>& kept_out)
 {
   std::vector<Index> parents;
   Link_options options;
   options.bifurcations = true;
+  options.kept_out = kept_out;
   add_curves(cut, Curve_kind::LINK,
-             on_edges ? link_boundaries_on_edges(cut.surface, vertices)
+             on_edges ? link_boundaries_on_edges(cut.surface, vertices, kept_out)
                       : link_boundaries(root, cut.surface, options, {}, {}, &parents, vertices));
   open_cut(cut);
   return parents;

@@ -20,13 +20,16 @@ namespace {
 class Extension_planner
 {
 public:
-  Extension_planner(const Triangle_surface& disc, Make_solver solver)
+  Extension_planner(const Triangle_surface& disc, Make_solver solver, const std::vector<char>& kept_out)
     : m_model(make_closed_model(disc)), m_lengths(edge_lengths(disc, m_model)),
       m_graph(make_intrinsic_delaunay_graph(disc)), m_system(m_graph.graph, m_graph.weights, solver),
       m_curvature(m_model.number_of_nodes, 0), m_area(m_model.number_of_nodes, 0),
-      m_is_border(m_model.number_of_nodes, 0), m_u(m_model.number_of_nodes, 0), m_by(m_model.number_of_nodes, -1)
+      m_is_border(m_model.number_of_nodes, 0), m_is_closed(m_model.number_of_nodes, !kept_out.empty()),
+      m_u(m_model.number_of_nodes, 0), m_by(m_model.number_of_nodes, -1)
   {
     for (Index a = 0; a < m_model.number_of_nodes; ++a) { m_is_border[a] = m_model.is_loop(a); }
+    for (std::size_t f = 0; f < kept_out.size(); ++f)
+      for (Index v : disc.triangles[f]) { m_is_closed[m_model.node[v]] &= kept_out[f]; }
     measure(disc);
   }
 
@@ -121,10 +124,11 @@ private:
     std::vector<std::pair<double, Index>> peaks;
     for (Index a = 0; a < m_model.number_of_nodes; ++a)
     {
-      bool is_peak = !m_is_border[a];
+      bool is_peak = !m_is_border[a] && !m_is_closed[a];
       for (Index e = m_model.begin[a]; e < m_model.begin[a + 1] && is_peak; ++e)
       {
-        is_peak = m_is_border[m_model.neighbor[e]] || key(a) < key(m_model.neighbor[e]);
+        const Index b = m_model.neighbor[e];
+        is_peak = m_is_border[b] || m_is_closed[b] || key(a) < key(b);
       }
       if (is_peak) { peaks.push_back(key(a)); }
     }
@@ -144,7 +148,8 @@ private:
     find_shortest_ways(m_model.number_of_nodes, starts, [&](Index a, const auto& reach) {
       for (Index e = m_model.begin[a]; e < m_model.begin[a + 1]; ++e)
       {
-        if (reach(m_model.neighbor[e], m_lengths[e])) { m_by[m_model.neighbor[e]] = a; }
+        const Index b = m_model.neighbor[e];
+        if (!m_is_closed[b] && reach(b, m_lengths[e])) { m_by[b] = a; }
       }
     });
   }
@@ -155,6 +160,7 @@ private:
   Laplace_system m_system;
   std::vector<double> m_curvature, m_area; // of each node
   std::vector<char> m_is_border;           // of each node: on the border, or a path to it
+  std::vector<char> m_is_closed;           // of each node: inside what is kept out of
   std::vector<double> m_u;
   std::vector<Index> m_by;
 };
@@ -191,16 +197,22 @@ std::size_t keep_enough(Extension_planner& planner, const std::vector<Extension_
 } // namespace internal
 
 Extension_plan plan_extensions(const Triangle_surface& disc, const std::function<double(double)>& goal,
-                               std::size_t most, Make_solver solver)
+                               std::size_t most, Make_solver solver, const std::vector<char>& kept_out)
 {
   Extension_plan plan;
-  internal::Extension_planner planner(disc, solver);
+  internal::Extension_planner planner(disc, solver, kept_out);
   plan.before = plan.after = internal::expected_stretch(planner);
   for (const double enough = goal(plan.before); plan.after > enough && plan.vertices.size() < most;)
   {
     const auto ways = planner.take_peaks(most - plan.vertices.size());
     if (ways.empty()) { break; }
-    plan.after = internal::expected_stretch(planner);
+    const double without = std::exchange(plan.after, internal::expected_stretch(planner));
+    constexpr double worth = 0.05; // around what is kept out of there is always a peak
+    if (!kept_out.empty() && without - plan.after < worth * (without - enough))
+    {
+      plan.after = without;
+      break;
+    }
     std::size_t count = ways.size();
     if (!(plan.after > enough)) { count = internal::keep_enough(planner, ways, enough, plan.after); }
     for (std::size_t i = 0; i < count; ++i) { plan.vertices.push_back(ways[i].vertex); }

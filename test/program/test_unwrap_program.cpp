@@ -21,6 +21,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <sstream>
 
 using namespace meridian;
@@ -444,6 +445,10 @@ BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture
                                    "--chart-per group --source 3",
                                    "--seams sharp:30 --family 3",
                                    "--seams uv --geometry-image 33",
+                                   "--keep-out \"\"",
+                                   "--keep-out red --geometry-image 33",
+                                   "--keep-out red --family 3",
+                                   "--keep-out red --method generators",
                                    "--png board.jpg",
                                    "--distortion faces.obj",
                                    "--stretch-weight 2",
@@ -719,6 +724,50 @@ BOOST_FIXTURE_TEST_CASE(seams_on_paths_of_a_file_are_kept_and_completed, Fixture
   expect("0 x\n", "expected a vertex, found 'x'");
   write("seams.txt", "0 1 2\n");
   BOOST_TEST(meridian("unwrap torus.obj -o uv.obj --seams seams.txt --report seams.txt").status == 64);
+}
+
+BOOST_FIXTURE_TEST_CASE(seams_keep_out_of_faces_that_are_marked, Fixture)
+{
+  const Triangle_surface torus = sample::torus(40, 20);
+  write("torus.obj", obj(torus));
+  const auto mark = [&](const std::function<bool(const Point&)>& is_marked) {
+    std::string numbers;
+    for (const Point& p : torus.points) { numbers += is_marked(p) ? "0.5\n" : "0\n"; }
+    write("marked.txt", numbers);
+  };
+  const std::string command = "unwrap torus.obj -o uv.obj --report report.json --keep-out ";
+  mark([](const Point& p) { return p[2] > 0.8; }); // a band that leaves the tube open below
+  const auto crossed = meridian(command + "marked.txt");
+  BOOST_TEST(crossed.status == 2, crossed.error);
+  BOOST_TEST(contains(crossed.out + crossed.error, "seams go over faces to keep out of"), crossed.error);
+  BOOST_TEST(json("report.json")["missed"].size() == 1u);
+  BOOST_TEST(json("report.json")["verified"] == false);
+  mark([](const Point& p) { return p[2] > 0.3 && p[0] > 0.5; });
+  const auto kept = meridian(command + "marked.txt");
+  BOOST_TEST(kept.status == 0, kept.error);
+  BOOST_TEST(json("report.json")["missed"].empty());
+
+  const auto uncoloured = meridian(command + "red");
+  BOOST_TEST(uncoloured.status == 1);
+  BOOST_TEST(contains(uncoloured.error, "its vertices have no colours"), uncoloured.error);
+  std::string red, faces;
+  for (const Point& p : torus.points)
+  {
+    red += "v " + std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2])
+           + (p[2] > 0.8 ? " 1 0.2 0.2\n" : " 1 0.9 0.2\n"); // yellow is not red
+  }
+  for (const auto& t : torus.triangles)
+  {
+    faces += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " + std::to_string(t[2] + 1) + "\n";
+  }
+  write("torus.obj", red + faces);
+  BOOST_TEST(meridian(command + "red").status == 2);
+  BOOST_TEST(meridian("unwrap torus.obj -o uv.obj --keep-out marked.txt --report marked.txt").status == 64);
+  BOOST_TEST(meridian("unwrap torus.obj torus.obj -o a.obj b.obj --keep-out marked.txt").status == 64);
+  write("marked.txt", "1 2 3\n");
+  const auto few = meridian(command + "marked.txt");
+  BOOST_TEST(few.status == 1);
+  BOOST_TEST(contains(few.error, "it has 3 numbers"), few.error);
 }
 
 #ifdef MERIDIAN_ASSIMP

@@ -23,6 +23,8 @@ struct Completion_options
   Tighten_options tighten_options;       ///< when meridians are tight
   Solvers solvers;                       ///< of the fields
   Progress_observer* observer = nullptr; ///< told of the stages, or null
+  /// faces of the surface that meridians and links go around, where they can
+  std::vector<Index> keep_out = {};
 };
 
 /*!
@@ -35,6 +37,9 @@ struct Completion_options
  * `Completion_options::on_edges` a short cut graph of edges. What boundaries there are then, the two sides of an open
  * seam among them, are joined by `link_boundaries()`. Pieces that are discs stay as they are.
  *
+ * What is kept out of is taken for a hole when meridians are looked for, so that they go around it; and what is left of
+ * it by `open_kept_out()` is farther away than anything else when links are.
+ *
  * \param root the surface
  * \param seams halfedges of it, any number, in any order; one of two opposite ones is enough
  * \param options see there
@@ -42,8 +47,8 @@ struct Completion_options
  *   paths cut the handles that they left
  * \pre `root` is connected
  * \post taking the surface apart along its seams leaves discs
- * \throws Invalid_input_error if a seam is no halfedge inside the surface; Solver_error, Cancelled, Internal_error as
- *   `cut_to_disc()`
+ * \throws Invalid_input_error if a seam is no halfedge inside the surface, or a face none of it; Solver_error,
+ *   Cancelled, Internal_error as `cut_to_disc()`
  * \par Complexity
  * That of `cut_to_disc()` for each piece with handles, and of `link_boundaries()`.
  */

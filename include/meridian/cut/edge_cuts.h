@@ -56,6 +56,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, con
  * \param bases how many base points; from the number of vertices on, all are taken
  * \param progress told after each base how much is done
  * \param metric how long edges count
+ * \param may_be_base tells of a vertex whether it may be a base, where not all are taken; empty: each may
  *
  * \pre `s` is connected
  * \post as of `cut_by_tree_cotree()`
@@ -64,7 +65,8 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, con
  * \f$ O(n \log n) \f$ for each base
  */
 std::vector<Index> find_short_tree_cotree_cut(const Triangle_surface& s, int bases = 16, const Progress& progress = {},
-                                              const Edge_metric& metric = {});
+                                              const Edge_metric& metric = {},
+                                              const std::function<bool(Index)>& may_be_base = {});
 
 /*!
  * \ingroup PkgMeridianCut

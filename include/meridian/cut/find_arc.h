@@ -26,6 +26,7 @@ namespace meridian {
  * \param apart pairs of faces that should come apart; if there are none, only area counts
  * \param on_edges whether the arc runs along edges
  * \param is_good if given: whether an arc across faces may be taken; if not, the next best is tried, a hundred at most
+ * \param kept_out of each face, whether the arc shall not go there; empty: it may go anywhere
  *
  * \returns the arc, from a vertex of the border to another, through no other, or nothing if there is none: the disc
  *          has no edge or face inside that could be crossed
@@ -34,7 +35,8 @@ namespace meridian {
  * \f$ O(n \log n) \f$
  */
 Surface_curve find_arc(const Triangle_surface& disc, const std::vector<std::array<Index, 2>>& apart, bool on_edges,
-                       const std::function<bool(const Surface_curve&)>& is_good = {});
+                       const std::function<bool(const Surface_curve&)>& is_good = {},
+                       const std::vector<char>& kept_out = {});
 
 } // namespace meridian
 

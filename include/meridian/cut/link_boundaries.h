@@ -27,6 +27,8 @@ struct Link_options
 {
   bool bifurcations = false; ///< whether a link may end on an earlier link
   Index source = -1;         ///< a root vertex that the links shall pass through, or -1
+  /// of each face of the root, whether links go around it, if there is a way; empty: around none
+  std::vector<char> kept_out = {};
 };
 
 /*!

@@ -32,6 +32,7 @@ namespace meridian {
  *
  * \param s the surface. The links are flagged.
  * \param points vertices that links shall pass through or end at
+ * \param kept_out of each face of the root of `s`, whether links go around it, if there is a way; empty: around none
  *
  * \returns the links as vertices of `s`, each from the tree before it to the boundary that it joins
  * \pre cutting `s` along its seams leaves pieces of genus 0; if it has neither seams nor a boundary, one
@@ -40,7 +41,8 @@ namespace meridian {
  * \f$ O(n \log n) \f$ where each vertex comes nearer to the tree a bounded number of times; for each link that again at
  * worst
  */
-std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, const std::vector<Index>& points = {});
+std::vector<std::vector<Index>> link_boundaries_on_edges(Refined_surface& s, const std::vector<Index>& points = {},
+                                                         const std::vector<char>& kept_out = {});
 
 } // namespace meridian
 

@@ -52,6 +52,9 @@ struct Unwrap_options
   /// which `cut` says whether on edges, with bifurcations, when curves are tight and how fields are solved. Then the
   /// cut is extended only if a stretch is asked for, and `charts` is how many there are at least
   std::vector<Index> seams;
+  /// faces of the surface that no seam shall go over, if that can be: curves go around them, and `cut` says the same of
+  /// them as with `seams`
+  std::vector<Index> keep_out;
   /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
   int image_size = 0;
 };

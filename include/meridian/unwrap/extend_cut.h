@@ -21,12 +21,13 @@ namespace meridian {
  * \param cut its cut
  * \param vertices vertices of `cut.surface`; nothing happens to those on a seam or a boundary
  * \param on_edges whether paths run along existing edges
+ * \param kept_out of each face of `root`, whether paths go around it, if there is a way; empty: around none
  * \returns for each face that is appended to `cut.surface`, the face that it was a part of
  * \par Complexity
  * \f$ O(n \log n) \f$
  */
-std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, const std::vector<Index>& vertices,
-                              bool on_edges);
+std::vector<Index> extend_cut(const Triangle_surface& root, Cut& cut, const std::vector<Index>& vertices, bool on_edges,
+                              const std::vector<char>& kept_out = {});
 
 /*!
  * \ingroup PkgMeridianParameterization

@@ -39,6 +39,7 @@ struct Extension_plan
  * \param goal told the expected L2 stretch of a map of `disc`, it says at which it is to end
  * \param most how many vertices at most
  * \param solver the solver for Laplacians
+ * \param kept_out of each face of `disc`, whether the cut shall not go there; empty: it may go anywhere
  *
  * \returns vertices inside the disc, and the expectation before and after
  * \throws Solver_error if the system cannot be solved
@@ -47,7 +48,8 @@ struct Extension_plan
  * vertices.
  */
 Extension_plan plan_extensions(const Triangle_surface& disc, const std::function<double(double)>& goal,
-                               std::size_t most, Make_solver solver = make_laplace_solver);
+                               std::size_t most, Make_solver solver = make_laplace_solver,
+                               const std::vector<char>& kept_out = {});
 
 } // namespace meridian
 

@@ -9,6 +9,7 @@
 #include <meridian/surface/Surface_curve.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace meridian {
@@ -19,7 +20,8 @@ namespace internal {
 class Slit_surface
 {
 public:
-  Slit_surface(const Triangle_surface& root, Refined_surface& s, bool bifurcations);
+  // `kept_out`: of each face of the root, whether curves shall go around it; empty if around none.
+  Slit_surface(const Triangle_surface& root, Refined_surface& s, bool bifurcations, std::vector<char> kept_out = {});
 
   // A vertex that shall be reached like a boundary; nothing happens if it lies on one. All come before the first link.
   void add_point(Index v);
@@ -29,6 +31,14 @@ public:
   Index loop(Index corner) const { return m_loop[corner]; } // of the corner at the source of a halfedge, or -1
   const std::vector<Index>& vertices(Index loop) const { return m_vertices[loop]; }
   bool may_cross(Index h) const { return !m_surface.is_seam_or_boundary(h); }
+  bool is_kept_out(Index f) const { return !m_kept_out.empty() && m_kept_out[m_surface.face_of[f]]; }
+  // What a way through a face, or along an edge, is longer than it is: more than all detours, where curves shall not go.
+  double detour(Index f) const { return is_kept_out(f) ? m_detour : 0; }
+  double detour_along(Index h) const
+  {
+    const Index o = m_surface.opposite[h];
+    return o < 0 ? detour(m_surface.face(h)) : std::min(detour(m_surface.face(h)), detour(m_surface.face(o)));
+  }
   bool is_free(Index v) const { return !m_is_used[v]; }
   bool are_joined(Index a, Index b) const { return m_joined.find(a) == m_joined.find(b); }
   const std::vector<char>& was_changed() const { return m_was_changed; } // by a link, for each face; may be short
@@ -49,6 +59,8 @@ private:
   const Triangle_surface& m_root;
   Refined_surface& m_surface;
   bool m_bifurcations;
+  std::vector<char> m_kept_out;
+  double m_detour = 0;
   std::vector<Index> m_loop;   // of each corner
   std::vector<char> m_is_used; // of each vertex: on a boundary, a seam or a link
   std::vector<char> m_was_changed;

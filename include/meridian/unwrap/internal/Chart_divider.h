@@ -42,6 +42,8 @@ private:
 
   // Cuts it into one disc, or along seams.
   void cut();
+  // Edges where the surface turns by more than an angle, and seams may go.
+  std::vector<Index> sharp_edges(double angle) const;
   // Takes the surface apart. Charts that are as they were keep what is known of them; of others the map begins where
   // they are drawn, or, if that is nowhere, where they are unfolded.
   void update_charts(const std::vector<Plane_point>& drawn = {});
@@ -73,6 +75,7 @@ private:
   std::vector<std::size_t> most_needful() const;
   // Charts with the most excess, together at least `enough`, or all; `sum` receives what they have, as a part of all.
   std::vector<std::size_t> most_stretched(double enough, double& sum) const;
+  std::vector<char> kept_out_in(const Chart& chart) const; // of its faces
   // Whether an arc's points are far enough from those that there are for doubles to tell them apart.
   bool has_room(const Surface_curve& arc) const;
 
@@ -83,8 +86,9 @@ private:
 
   const Triangle_surface& m_root;
   Unwrap_options m_options;
-  const double m_wanted; // the square of the L2 stretch less 1
-  const bool m_extends;  // whether the cut may be extended for that
+  const std::vector<char> m_kept_out; // of each face of the root, whether seams go around it; empty: around none
+  const double m_wanted;              // the square of the L2 stretch less 1
+  const bool m_extends;               // whether the cut may be extended for that
   Unwrapping m_result;
   std::vector<Chart> m_charts;
   Progress m_progress; // told how much is mapped

@@ -7,6 +7,7 @@
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
 #include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/internal/first_cut.h>
 
 #include <cstddef>
 #include <string>
@@ -21,8 +22,9 @@ class Unwrapper
 {
 public:
   Unwrapper(const Triangle_surface& root, const Unwrap_options& options)
-    : m_root(root), m_options(options), m_area(area(root))
+    : m_root(root), m_options(options), m_kept_out(kept_out_of(root, options)), m_area(area(root))
   {
+    check_wishes(options);
     // shorter seams stretch the map of a lattice by up to a tenth more
     if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
   }
@@ -90,6 +92,10 @@ private:
   // expected into line; the last is this disc's, if it has a map. What is expected then becomes less by a factor of the
   // boldness at least.
   std::vector<Index> plan(const Triangle_surface& disc, std::vector<Expectation>& known, double boldness) const;
+  // Of each face of the disc of the best cut, whether seams go around it.
+  std::vector<char> kept_out_of_best() const;
+  // Vertices where the best map stretches most and seams may go.
+  std::vector<Index> stretched_vertices(std::size_t most) const;
   // Extends the cut to regions of high stretch, as long as one of a few is worthwhile: for maps into a polygon.
   void extend_one_by_one();
 
@@ -109,6 +115,7 @@ private:
   static constexpr double useless_stretch = 100, fair_stretch = 2;
   const Triangle_surface& m_root;
   Unwrap_options m_options;
+  const std::vector<char> m_kept_out; // of each face of the root, whether seams go around it; empty: around none
   const double m_area;
   Cut_options m_chosen;
   Unwrapping m_best;
