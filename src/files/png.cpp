@@ -197,21 +197,20 @@ Image read_png(const std::string& path)
   return image;
 }
 
-std::string format_checkerboard(int size, int squares)
+std::string format_checkerboard(int width, int height, int square)
 {
   std::vector<std::uint16_t> samples;
-  for (int y = 0; y < size; ++y)
-    for (int x = 0; x < size; ++x)
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
     {
-      const int i = static_cast<int>(static_cast<long long>(x) * squares / size),
-                j = static_cast<int>(static_cast<long long>(size - 1 - y) * squares / size);
-      const int right = 120 * x / size, up = 120 * (size - 1 - y) / size;
+      const int i = x / square, j = (height - 1 - y) / square;
+      const int right = 120 * x / width, up = 120 * (height - 1 - y) / height;
       const bool is_dark = (i + j) % 2 == 0;
       samples.push_back(static_cast<std::uint16_t>(is_dark ? 60 + right : 230));
       samples.push_back(static_cast<std::uint16_t>(is_dark ? 80 : 230));
       samples.push_back(static_cast<std::uint16_t>(is_dark ? 60 + up : 230));
     }
-  return format_png(size, size, 3, samples, 8);
+  return format_png(width, height, 3, samples, 8);
 }
 
 } // namespace files

@@ -23,8 +23,8 @@ std::string format_png(int width, int height, int channels, const std::vector<st
 // Reads a PNG file of grey or red, green and blue, with 8 or 16 bits a sample. Throws File_error on any other.
 Image read_png(const std::string& path);
 
-// A square PNG of `squares` x `squares` squares. The dark ones grow red to the right and blue upwards.
-std::string format_checkerboard(int size, int squares);
+// A PNG of squares with so many pixels along a side. The dark ones grow red to the right and blue upwards.
+std::string format_checkerboard(int width, int height, int square);
 
 } // namespace files
 } // namespace meridian

@@ -33,11 +33,15 @@ struct Turned_chart
   Plane_point extent;
 };
 
-Turned_chart turn(const std::vector<Plane_point>& points, const Plane_point& direction, double scale)
+// `scale`: to the right and upwards.
+Turned_chart turn(const std::vector<Plane_point>& points, const Plane_point& direction, const Plane_point& scale)
 {
   Turned_chart turned;
   turned.at.reserve(points.size());
-  for (const Plane_point& p : points) { turned.at.push_back({scale * dot(p, direction), scale * cross(direction, p)}); }
+  for (const Plane_point& p : points)
+  {
+    turned.at.push_back({scale[0] * dot(p, direction), scale[1] * cross(direction, p)});
+  }
   Bounding_box<Plane_point> box(turned.at.front());
   for (const Plane_point& p : turned.at) { box.add(p); }
   for (Plane_point& p : turned.at) { p = p - box.low; }
@@ -49,7 +53,8 @@ class Chart_packer
 {
 public:
   Chart_packer(const std::vector<Chart>& charts, std::vector<char> may_turn, const Pack_options& options)
-    : m_charts(charts), m_may_turn(std::move(may_turn)), m_options(options), m_scale(charts.size(), 1),
+    : m_charts(charts), m_may_turn(std::move(may_turn)), m_options(options),
+      m_upwards(static_cast<double>(options.resolution[0]) / options.resolution[1]), m_scale(charts.size(), 1),
       m_base(charts.size(), Plane_point{1, 0}), m_order(charts.size())
   {
     for (std::size_t i = 0; i < charts.size(); ++i)
@@ -57,7 +62,7 @@ public:
       const double image = covered_area(charts[i]);
       if (image > 0 && charts[i].area > 0) { m_scale[i] = std::sqrt(charts[i].area / image); }
       if (m_may_turn[i]) { m_base[i] = longer_side_of_smallest_rectangle(charts[i].at); }
-      m_area += m_scale[i] * m_scale[i] * image;
+      m_area += m_upwards * m_scale[i] * m_scale[i] * image;
     }
     measure();
     vary(0);
@@ -164,7 +169,8 @@ private:
         const auto [at, is_new] = known.try_emplace({static_cast<double>(i), d[0], d[1]}); // all fit into it
         if (is_new)
         {
-          at->second = cells_of(*m_charts[i].triangles, turn(m_charts[i].at, d, m_unit / coarser * m_scale[i]).at);
+          at->second =
+            cells_of(*m_charts[i].triangles, turn(m_charts[i].at, d, scales(m_unit / coarser * m_scale[i])).at);
         }
         const auto place = atlas.find_place(at->second, best, *best_cells);
         if (!place) { continue; }
@@ -189,12 +195,23 @@ private:
     }
     std::iota(m_order.begin(), m_order.end(), std::size_t(0));
     std::stable_sort(m_order.begin(), m_order.end(), [&](std::size_t a, std::size_t b) { return size[a] > size[b]; });
-    m_turn = std::acos(-1.) / 2 * tries / m_options.tries;
+    m_turn = range_of_directions() * tries / m_options.tries;
   }
 
   int gap_for(double size) const
   {
-    return static_cast<int>(std::ceil(m_options.padding * size / m_options.resolution));
+    const int least = std::min(m_options.resolution[0], m_options.resolution[1]);
+    return static_cast<int>(std::ceil(m_options.padding * size / least));
+  }
+
+  // What a unit is to the right and upwards, in a texture that is drawn as a square.
+  Plane_point scales(double unit) const { return {unit, m_upwards * unit}; }
+
+  // The angle after which a chart that is turned is as long to the right or upwards as before.
+  double range_of_directions() const
+  {
+    const bool is_square = m_options.resolution[0] == m_options.resolution[1];
+    return is_square ? std::acos(-1.) / 2 : std::acos(-1.);
   }
 
   // Finds how many cells a unit has if charts fill a part of the square.
@@ -208,7 +225,7 @@ private:
   {
     for (std::size_t i = 0; i < m_charts.size(); ++i)
     {
-      const Plane_point extent = turn(m_charts[i].at, m_base[i], m_scale[i]).extent;
+      const Plane_point extent = turn(m_charts[i].at, m_base[i], scales(m_scale[i])).extent;
       m_size.push_back(extent[0] * extent[1]);
       m_longest = std::max({m_longest, extent[0], extent[1]});
     }
@@ -226,7 +243,7 @@ private:
       const double c = std::cos(m_turn), s = std::sin(m_turn);
       return {{base[0] * c - base[1] * s, base[0] * s + base[1] * c}};
     }
-    const bool is_large = m_charts[chart].area > large * m_area;
+    const bool is_large = m_upwards * m_charts[chart].area > large * m_area;
     const int count = is_large ? 24 : 4;
     std::vector<Plane_point> all;
     for (int k = 0; k < count; ++k)
@@ -253,7 +270,7 @@ private:
   {
     const std::vector<Plane_point> all = directions(chart);
     const double unit = m_unit * m_scale[chart];
-    const Plane_point first = turn(m_charts[chart].at, all.front(), unit).extent;
+    const Plane_point first = turn(m_charts[chart].at, all.front(), scales(unit)).extent;
     const bool is_small = std::min(first[0], first[1]) < small;
     Found best;
     if (is_small || all.size() == 1) { best = find_best(square.atlas, chart, all, unit); }
@@ -293,7 +310,7 @@ private:
   // The same in as many squares as that takes, in the size that charts shall have.
   std::vector<std::vector<Plane_point>> place_at_density()
   {
-    m_unit = m_options.density * fine / m_options.resolution;
+    m_unit = m_options.density * fine / m_options.resolution[0];
     const int gap = std::max(gap_for(fine), 1);
     std::vector<Square> squares;
     std::vector<std::vector<Plane_point>> placed(m_charts.size());
@@ -318,14 +335,16 @@ private:
 
   [[noreturn]] void refuse_density(std::size_t chart) const
   {
-    const Plane_point extent = turn(m_charts[chart].at, m_base[chart], m_scale[chart] * m_options.density).extent;
-    const int side = m_options.resolution, tiles = m_options.tiles;
+    const double scale = m_scale[chart] * m_options.density;
+    const Plane_point extent = turn(m_charts[chart].at, m_base[chart], {scale, scale}).extent;
+    const auto [width, height] = m_options.resolution;
+    const int tiles = m_options.tiles;
     std::ostringstream message;
     message << "at " << m_options.density << " texels along a unit of length, " << tiles
-            << (tiles == 1 ? " texture of " : " textures of ") << side << " x " << side
+            << (tiles == 1 ? " texture of " : " textures of ") << width << " x " << height
             << " texels cannot hold all charts: there is no room for one of " << std::ceil(extent[0]) << " x "
             << std::ceil(extent[1]) << ", and all of them cover " << std::setprecision(3)
-            << m_area * m_options.density * m_options.density / side / side
+            << m_area * m_options.density * m_options.density / width / width
             << " textures without what is between; a lower density, a higher resolution, more tiles or more charts "
                "would help";
     throw Invalid_input_error(message.str());
@@ -344,7 +363,7 @@ private:
     Found best;
     for (const Plane_point& d : all)
     {
-      Turned_chart turned = turn(m_charts[chart].at, d, unit);
+      Turned_chart turned = turn(m_charts[chart].at, d, scales(unit));
       if (!fits(turned.extent, atlas)) { continue; }
       Chart_cells of_chart = cells_of(*m_charts[chart].triangles, turned.at);
       const auto place = atlas.find_place(of_chart, best.place, best.cells);
@@ -357,12 +376,12 @@ private:
   std::vector<std::vector<Plane_point>> place_one() const
   {
     constexpr int count = 90;
-    Turned_chart best = turn(m_charts[0].at, m_base[0], 1);
+    Turned_chart best = turn(m_charts[0].at, m_base[0], scales(1));
     const auto size = [](const Turned_chart& t) { return std::max(t.extent[0], t.extent[1]); };
     for (int k = 1; k < count && m_may_turn[0]; ++k)
     {
-      const double angle = std::acos(-1.) / 2 * k / count;
-      Turned_chart turned = turn(m_charts[0].at, {std::cos(angle), std::sin(angle)}, 1);
+      const double angle = range_of_directions() * k / count;
+      Turned_chart turned = turn(m_charts[0].at, {std::cos(angle), std::sin(angle)}, scales(1));
       if (size(turned) < size(best)) { best = std::move(turned); }
     }
     std::vector<std::vector<Plane_point>> placed{std::move(best.at)};
@@ -382,6 +401,7 @@ private:
   const std::vector<Chart>& m_charts;
   const std::vector<char> m_may_turn;
   const Pack_options m_options;
+  const double m_upwards;                // a unit upwards, in units to the right, where the texture is a square
   std::vector<double> m_scale;           // of each chart, to the area that it has
   std::vector<Plane_point> m_base;       // the direction of the longer side of the smallest rectangle around it
   std::vector<double> m_size;            // of a rectangle around each chart
@@ -426,6 +446,13 @@ double covered_area(const Chart& chart)
     sum += std::abs(cross(chart.at[t[1]] - chart.at[t[0]], chart.at[t[2]] - chart.at[t[0]])) / 2;
   }
   return sum;
+}
+
+Plane_point in_proportion(const Plane_point& p, const std::array<int, 2>& resolution)
+{
+  const auto [width, height] = resolution;
+  const double longer = std::max(width, height);
+  return {p[0] * (width / longer), p[1] * (height / longer)};
 }
 
 int count_tiles(const std::vector<Plane_point>& at)

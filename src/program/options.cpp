@@ -2,7 +2,14 @@
 #include "options.h"
 #include "arguments.h"
 
+#include <meridian/map/pack_charts.h>
+#include <meridian/proof/Padding.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace meridian {
@@ -21,6 +28,21 @@ CLI::Validator number_from(double low, double high, const std::string& meaning)
             return is_number && x >= low && x <= high ? std::string() : text + " is not " + meaning;
           },
           ""};
+}
+
+// The texels of a texture to the right and upwards, or nothing.
+std::optional<std::array<int, 2>> read_resolution(const std::string& text)
+{
+  constexpr int least = 16, most = 65536;
+  std::array<int, 2> sides{0, 0};
+  const char* const last = text.data() + text.size();
+  const char* end = std::from_chars(text.data(), last, sides[0]).ptr;
+  const bool has_height = end != last && *end == 'x';
+  if (has_height) { end = std::from_chars(end + 1, last, sides[1]).ptr; }
+  else { sides[1] = sides[0]; }
+  const auto is_side = [&](int n) { return n >= least && n <= most; };
+  if (end != last || !is_side(sides[0]) || !is_side(sides[1])) { return std::nullopt; }
+  return sides;
 }
 
 void add_preferences(CLI::App& command, Field_arguments& a)
@@ -105,12 +127,25 @@ void add_cut_options(CLI::App& command, Cut_arguments& a, Tightening tightened, 
   add_link_options(command, a);
 }
 
+CLI::Option* add_resolution(CLI::App& command, const char* option, std::array<int, 2>& resolution, const char* help)
+{
+  const CLI::Validator is_resolution(
+    [](const std::string& text) {
+      return read_resolution(text) ? "" : "'" + text + "' is not N or WIDTHxHEIGHT, each from 16 to 65536";
+    },
+    "");
+  return command
+    .add_option_function<std::string>(
+      option, [&resolution](const std::string& text) { resolution = *read_resolution(text); }, help)
+    ->check(is_resolution)
+    ->type_name("N|WIDTHxHEIGHT");
+}
+
 void add_pack_options(CLI::App& command, Pack_options& packing)
 {
-  command.add_option("--resolution", packing.resolution, "texels along a side of the texture that is packed for")
-    ->check(CLI::Range(16, 65536))
-    ->type_name("N")
-    ->capture_default_str()
+  add_resolution(command, "--resolution", packing.resolution,
+                 "texels along the sides of the texture that is packed for, to the right and upwards if they differ")
+    ->default_str(std::to_string(packing.resolution[0]))
     ->group("Charts");
   CLI::Option* density =
     command.add_option("--density", packing.density, "texels along a unit of length of MESH; otherwise as many as fit")
@@ -130,9 +165,19 @@ void add_pack_options(CLI::App& command, Pack_options& packing)
     ->group("Charts");
 }
 
+Padding padding_of(const Pack_options& packing)
+{
+  return {packing.padding, packing.resolution[0], packing.resolution[1]};
+}
+
+double texels_of(const Pack_options& packing)
+{
+  return static_cast<double>(packing.resolution[0]) * packing.resolution[1];
+}
+
 void check_padding(const Pack_options& packing)
 {
-  if (4 * packing.padding > packing.resolution)
+  if (4 * packing.padding > std::min(packing.resolution[0], packing.resolution[1]))
   {
     throw Usage_error("--padding is more than a quarter of --resolution");
   }

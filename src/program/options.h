@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@ namespace meridian {
 
 enum class Tightening;
 struct Pack_options;
+struct Padding;
 
 namespace program {
 
@@ -54,8 +56,11 @@ void add_common_options(CLI::App& command, Common_arguments& a);
 void add_field_options(CLI::App& command, Field_arguments& a);
 // `tightened`: what is, by itself; `unless`: when that is not so.
 void add_cut_options(CLI::App& command, Cut_arguments& a, Tightening tightened, const std::string& unless = "");
+CLI::Option* add_resolution(CLI::App& command, const char* option, std::array<int, 2>& resolution, const char* help);
 void add_pack_options(CLI::App& command, Pack_options& packing);
 void check_padding(const Pack_options& packing); // throws Usage_error if it is too wide
+Padding padding_of(const Pack_options& packing); // as it is recounted
+double texels_of(const Pack_options& packing);   // the number of them
 void note_field_options(const CLI::App& command, Field_arguments& a);
 void note_cut_options(const CLI::App& command, Cut_arguments& a);
 

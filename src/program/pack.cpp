@@ -10,6 +10,7 @@
 #include <meridian/base/exceptions.h>
 #include <meridian/base/vectors.h>
 #include <meridian/map/pack_charts.h>
+#include <meridian/proof/Padding.h>
 #include <meridian/proof/verify_packing.h>
 
 #include <array>
@@ -26,6 +27,7 @@ namespace {
 struct Pack_arguments : Common_arguments
 {
   std::vector<std::string> meshes, out;
+  std::array<int, 2> from{1, 1}; // the texels of the texture that there was
   Pack_options packing;
   bool keep_scale = false;
 };
@@ -131,7 +133,7 @@ Packed pack(const Pack_arguments& a, const std::vector<files::Texture_text>& tex
     for (std::size_t k = 0; k < of_mesh[i].triangles.size(); ++k)
     {
       Chart& chart = charts.emplace_back(Chart{&of_mesh[i].triangles[k], {}, of_mesh[i].area[k]});
-      for (Index v : of_mesh[i].vertices[k]) { chart.at.push_back(texts[i].texture()[v]); }
+      for (Index v : of_mesh[i].vertices[k]) { chart.at.push_back(in_proportion(texts[i].texture()[v], a.from)); }
       if (a.keep_scale) { chart.area = covered_area(chart); }
     }
   packed.charts = charts.size();
@@ -155,7 +157,7 @@ Packed pack(const Pack_arguments& a, const std::vector<files::Texture_text>& tex
       }
       ++chart;
     }
-  if (area > 0 && !a.keep_scale) { packed.density = a.packing.resolution * std::sqrt(image / area); }
+  if (area > 0 && !a.keep_scale) { packed.density = std::sqrt(texels_of(a.packing) * image / area); }
   return packed;
 }
 
@@ -173,7 +175,7 @@ Verification recount(const Pack_arguments& a, const std::vector<files::Texture_t
     texture.insert(texture.end(), text.texture().begin(), text.texture().end());
     before.insert(before.end(), read[i].texture().begin(), read[i].texture().end());
   }
-  return verify_packing(faces, texture, a.packing.padding / a.packing.resolution, a.packing.tiles, before);
+  return verify_packing(faces, texture, padding_of(a.packing), a.packing.tiles, before);
 }
 
 int run_pack(const Pack_arguments& a)
@@ -227,6 +229,8 @@ Command add_pack(CLI::App& app)
     ->type_name("OUT.obj...");
   command->add_flag("--keep-scale", a->keep_scale,
                     "keep the sizes that charts have beside each other; otherwise all get one density of texels");
+  add_resolution(*command, "--from", a->from,
+                 "texels of the texture that the coordinates are of, to the right and upwards, if it is no square");
   add_common_options(*command, *a);
   add_pack_options(*command, a->packing);
   return {command, [a] { return run_pack(*a); }};

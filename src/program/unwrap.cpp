@@ -15,6 +15,7 @@
 #include <meridian/cut/Cut_options.h>
 #include <meridian/map/pack_charts.h>
 #include <meridian/map/planar_map.h>
+#include <meridian/proof/Padding.h>
 #include <meridian/proof/verify_packing.h>
 #include <meridian/proof/verify_unwrapping.h>
 #include <meridian/result/Assembled_result.h>
@@ -61,6 +62,8 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(a.packing.tiles > 1 && !(a.layout.empty() && a.view.empty()),
          "--svg and --view show one texture; leave out --tiles");
   forbid(a.packing.density > 0 && a.geometry_image > 0, "a geometry image fills its square; leave out --density");
+  forbid(a.packing.resolution[0] != a.packing.resolution[1] && a.geometry_image > 0,
+         "a geometry image is a square; so is its --resolution");
   const bool has_seams = has_given_seams(a), has_wishes = has_seams || !a.keep_out.empty();
   forbid(a.seams.compare(0, 6, "sharp:") == 0 && !is_kind_of_seam(a.seams),
          "--seams sharp:ANGLE takes an angle in degrees, more than 0 and less than 180");
@@ -212,8 +215,8 @@ void conclude(Unwrap_run& run, Terminal& terminal)
 {
   const Unwrap_arguments& arguments = run.arguments;
   verify(run.result, terminal, [&](const Assembled_result& assembled) {
-    return verify_unwrapping(run.loaded.soup, assembled.mesh, run.texture,
-                             arguments.packing.padding / arguments.packing.resolution, arguments.packing.tiles);
+    return verify_unwrapping(run.loaded.soup, assembled.mesh, run.texture, padding_of(arguments.packing),
+                             arguments.packing.tiles);
   });
   report_run(run);
 }
@@ -234,7 +237,9 @@ Verification verify_atlas(const std::vector<Unwrap_run>& runs)
     texture.insert(texture.end(), run.texture.begin(), run.texture.end());
   }
   const Pack_options& packing = runs.front().arguments.packing;
-  return verify_packing(faces, texture, std::max(packing.padding / packing.resolution, least_gap), packing.tiles);
+  Padding padding = padding_of(packing);
+  padding.texels = std::max(padding.texels, least_gap);
+  return verify_packing(faces, texture, padding, packing.tiles);
 }
 
 // The words of one mesh among several.

@@ -10,6 +10,7 @@
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/map/distortion.h>
+#include <meridian/map/pack_charts.h>
 #include <meridian/result/Assembled_result.h>
 #include <meridian/result/name_curves.h>
 #include <meridian/surface/Triangle_surface.h>
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <sstream>
@@ -171,13 +173,18 @@ void add_files(files::Output_files& out, Unwrap_run& run)
                                                  fs::path(material).filename().string()));
   out.add(files::map_path(arguments.out, arguments.map),
           files::format_map(mesh, files::Result_kind::UNWRAPPING, arguments.map));
-  const auto faces = distortion_of_faces(result.assembled, texture, run.unwrapped);
+  std::vector<Plane_point> shown; // where texels are squares
+  for (const Plane_point& p : texture) { shown.push_back(in_proportion(p, arguments.packing.resolution)); }
+  const auto faces = distortion_of_faces(result.assembled, shown, run.unwrapped);
   std::vector<double> stretch;
   for (const Face_distortion& f : faces) { stretch.push_back(std::min(f.stretch_l2, 1e30)); }
-  if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, texture, stretch)); }
+  if (!arguments.layout.empty()) { out.add(arguments.layout, files::format_layout(mesh, shown, stretch)); }
   if (!arguments.texture.empty())
   {
-    out.add(arguments.texture, files::format_checkerboard(1024, 32));
+    constexpr int longer = 1024, square = 32;
+    const Plane_point size = in_proportion({longer, longer}, arguments.packing.resolution);
+    out.add(arguments.texture, files::format_checkerboard(std::max(static_cast<int>(std::lround(size[0])), 1),
+                                                          std::max(static_cast<int>(std::lround(size[1])), 1), square));
     const fs::path folder = fs::weakly_canonical(fs::absolute(material)).parent_path(),
                    image = fs::weakly_canonical(fs::absolute(arguments.texture));
     out.add(material, files::format_material(image.lexically_relative(folder).generic_string()));
@@ -198,7 +205,7 @@ void add_files(files::Output_files& out, Unwrap_run& run)
   }
   if (!arguments.view.empty())
   {
-    out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption_of(run), mesh, texture, stretch));
+    out.add(arguments.view, page::format_unwrap_page(arguments.mesh, caption_of(run), mesh, shown, stretch));
   }
 }
 

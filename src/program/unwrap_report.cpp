@@ -2,6 +2,7 @@
 // What `unwrap` reports, and says in words.
 #include "given_seams.h"
 #include "kept_out.h"
+#include "options.h"
 #include "unwrap_run.h"
 
 #include <meridian/base/Result_mesh.h>
@@ -37,7 +38,7 @@ double density_of(const Unwrap_arguments& a, const Loaded_mesh& loaded, const Re
 {
   double on_surface = 0;
   for (const Surface_component& c : loaded.examination.components) { on_surface += c.unit * c.unit * area(c.surface); }
-  return on_surface > 0 ? a.packing.resolution * std::sqrt(area_of(mesh.faces, texture) / on_surface) : 0;
+  return on_surface > 0 ? std::sqrt(texels_of(a.packing) * area_of(mesh.faces, texture) / on_surface) : 0;
 }
 
 Json report_steps(const std::vector<Unwrap_step>& steps, double unit)
@@ -203,6 +204,7 @@ void report_run(Unwrap_run& run)
                  {{"coordinates", texture.size()},
                   {"coverage", area_of(mesh.faces, texture) / count_tiles(texture)},
                   {"tiles", count_tiles(texture)},
+                  {"resolution", arguments.packing.resolution},
                   {"density", density_of(arguments, run.loaded, mesh, texture)},
                   {"flipped_in_single_precision", count_flipped_in_single_precision(mesh, texture)}}},
                 {"seconds", report_seconds(run.loaded, result)},

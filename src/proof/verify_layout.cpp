@@ -55,14 +55,14 @@ Layout_verifier::Layout_verifier(const Result_mesh& result, const std::vector<Pl
   for (Id f = 0; f < faces; ++f) { m_piece.push_back(pieces.find(f)); }
 }
 
-std::vector<Layout_verifier::Box> Layout_verifier::boxes(double margin) const
+std::vector<Layout_verifier::Box> Layout_verifier::boxes(const Plane_point& margin) const
 {
   std::vector<Box> all;
   for (Id s : m_border)
   {
     const Plane_point &a = at(s), &b = at(next_side(s));
-    all.emplace_back(s, Plane_point{std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin},
-                     Plane_point{std::max(a[0], b[0]) + margin, std::max(a[1], b[1]) + margin});
+    all.emplace_back(s, Plane_point{std::min(a[0], b[0]), std::min(a[1], b[1])} - margin,
+                     Plane_point{std::max(a[0], b[0]), std::max(a[1], b[1])} + margin);
   }
   return all;
 }
@@ -79,7 +79,7 @@ bool Layout_verifier::meet(Id a, Id b) const
 
 std::vector<Id> Layout_verifier::find_meeting() const
 {
-  std::vector<Box> all = boxes(0);
+  std::vector<Box> all = boxes({0, 0});
   std::vector<Id> meeting;
   CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box& a, const Box& b) {
     if (meet(a.side, b.side)) { meeting.insert(meeting.end(), {a.side / 3, b.side / 3}); }
@@ -89,7 +89,7 @@ std::vector<Id> Layout_verifier::find_meeting() const
 
 std::vector<Id> Layout_verifier::find_inside() const
 {
-  std::vector<Box> all = boxes(0), rays; // to the right, one from each piece
+  std::vector<Box> all = boxes({0, 0}), rays; // to the right, one from each piece
   std::vector<char> has_ray(m_piece.size(), 0);
   double far = 0;
   for (const Plane_point& p : m_texture) { far = std::max(far, p[0] + 1); }
@@ -116,18 +116,22 @@ std::vector<Id> Layout_verifier::find_inside() const
   return inside;
 }
 
-bool Layout_verifier::are_nearer(Id a, Id b, double distance) const
+bool Layout_verifier::are_nearer(Id a, Id b, const Padding& padding) const
 {
   const auto squared = [&](auto kernel) {
     using K = decltype(kernel);
-    return CGAL::squared_distance(typename K::Segment_2(point<K>(at(a)), point<K>(at(next_side(a)))),
-                                  typename K::Segment_2(point<K>(at(b)), point<K>(at(next_side(b)))));
+    const auto in_texels = [&](Id side) {
+      const Plane_point& p = at(side);
+      return typename K::Point_2(typename K::FT(p[0]) * padding.width, typename K::FT(p[1]) * padding.height);
+    };
+    return CGAL::squared_distance(typename K::Segment_2(in_texels(a), in_texels(next_side(a))),
+                                  typename K::Segment_2(in_texels(b), in_texels(next_side(b))));
   };
   constexpr double rounding = 1e-6;
-  const double about = squared(Kernel()), bound = distance * distance;
+  const double about = squared(Kernel()), bound = padding.texels * padding.texels;
   if (about < (1 - rounding) * bound) { return true; }
   if (about > (1 + rounding) * bound) { return false; }
-  const Exact_kernel::FT exact(distance);
+  const Exact_kernel::FT exact(padding.texels);
   return squared(Exact_kernel()) < exact * exact;
 }
 
@@ -137,13 +141,13 @@ std::array<double, 2> Layout_verifier::tile_of(Id s) const
   return {std::floor(std::min(a[0], b[0])), std::floor(std::min(a[1], b[1]))};
 }
 
-std::vector<Id> Layout_verifier::find_near(double distance) const
+std::vector<Id> Layout_verifier::find_near(const Padding& padding) const
 {
-  std::vector<Box> all = boxes(distance / 2);
+  std::vector<Box> all = boxes({padding.texels / padding.width / 2, padding.texels / padding.height / 2});
   std::vector<Id> near;
   CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box& a, const Box& b) {
     const bool are_apart = m_piece[a.side / 3] != m_piece[b.side / 3] && tile_of(a.side) == tile_of(b.side);
-    if (are_apart && are_nearer(a.side, b.side, distance)) { near.insert(near.end(), {a.side / 3, b.side / 3}); }
+    if (are_apart && are_nearer(a.side, b.side, padding)) { near.insert(near.end(), {a.side / 3, b.side / 3}); }
   });
   return near;
 }

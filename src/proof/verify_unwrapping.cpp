@@ -72,7 +72,7 @@ void list_once(Verification& found, const char* what, std::vector<std::int32_t> 
 } // namespace verification
 
 Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result,
-                               const std::vector<Plane_point>& texture, double gap, int tiles)
+                               const std::vector<Plane_point>& texture, const Padding& padding, int tiles)
 {
   Verification found = verify_cut(input, result);
   if (texture.size() != result.points.size())
@@ -101,15 +101,15 @@ Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& res
   verification::list_once(found, "faces have a border in the plane that meets another", layout.find_meeting());
   if (!found) { return found; }
   verification::list_once(found, "charts lie inside others in the plane; they begin with faces", layout.find_inside());
-  if (gap > 0)
+  if (padding.texels > 0)
   {
-    verification::list_once(found, "faces are nearer to another chart than the padding", layout.find_near(gap));
+    verification::list_once(found, "faces are nearer to another chart than the padding", layout.find_near(padding));
   }
   return found;
 }
 
 Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& faces,
-                            const std::vector<Plane_point>& texture, double gap, int tiles,
+                            const std::vector<Plane_point>& texture, const Padding& padding, int tiles,
                             const std::vector<Plane_point>& before)
 {
   Verification found;
@@ -135,7 +135,7 @@ Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& face
   mesh.points.resize(texture.size());
   const verification::Layout_verifier layout(mesh, texture, verification::Layout_verifier::Joined::AT_VERTICES);
   verification::list_once(found, "faces were turned over or lost their area when they were packed", changed);
-  verification::list_once(found, "faces are nearer to another chart than the padding", layout.find_near(gap));
+  verification::list_once(found, "faces are nearer to another chart than the padding", layout.find_near(padding));
   if (found)
   {
     verification::list_once(found, "charts lie inside others in the plane; they begin with faces",

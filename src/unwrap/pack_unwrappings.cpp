@@ -40,8 +40,10 @@ double pack_unwrappings(std::vector<Unwrapping>& unwrapped, const std::vector<do
       ++packed;
     }
     map.flipped = find_flipped_faces(disc.triangles, map.at);
-    map.faces = measure_faces(disc.points, disc.triangles, map.at);
-    map.distortion = measure_distortion(disc.points, disc.triangles, map.at, map.faces);
+    std::vector<Plane_point> at; // where texels are squares
+    for (const Plane_point& p : map.at) { at.push_back(in_proportion(p, options.resolution)); }
+    map.faces = measure_faces(disc.points, disc.triangles, at);
+    map.distortion = measure_distortion(disc.points, disc.triangles, at, map.faces);
   }
   return filled;
 }

@@ -99,7 +99,7 @@ BOOST_FIXTURE_TEST_CASE(files_that_are_no_plain_images_are_refused, Image_folder
 // Known answer: squares alternate; the lower left one is dark, red grows to the right and blue upwards.
 BOOST_FIXTURE_TEST_CASE(a_checkerboard_shows_where_it_is, Image_folder)
 {
-  const files::Image image = read(files::format_checkerboard(64, 8));
+  const files::Image image = read(files::format_checkerboard(64, 64, 8));
   const auto at = [&](int i, int j, int channel) {
     return image.samples[static_cast<std::size_t>(((63 - 8 * j - 4) * 64 + 8 * i + 4) * 3 + channel)];
   };

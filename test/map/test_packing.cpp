@@ -1,4 +1,5 @@
 // Charts packed by their outlines.
+#include <boost/test/data/test_case.hpp>
 #include <boost/test/unit_test.hpp>
 
 #include "support/sample_surfaces.h"
@@ -19,6 +20,7 @@
 #include <set>
 #include <vector>
 
+namespace data = boost::unit_test::data;
 using namespace meridian;
 
 namespace {
@@ -142,7 +144,7 @@ BOOST_AUTO_TEST_CASE(more_padding_keeps_charts_farther_apart)
   {
     std::vector<Chart> charts;
     for (const Pixels& p : pixels) { charts.push_back(p.chart()); }
-    filled.push_back(pack_charts(charts, {512, padding}));
+    filled.push_back(pack_charts(charts, {{512, 512}, padding}));
     BOOST_TEST(least_distance(charts) >= padding / 512);
     BOOST_TEST(least_distance(charts) > 0);
   }
@@ -155,9 +157,57 @@ BOOST_AUTO_TEST_CASE(padding_without_room_for_charts_is_refused)
 {
   const Pixels square(1, 1, [](int, int) { return true; });
   std::vector<Chart> charts(40, square.chart());
-  BOOST_CHECK_THROW(pack_charts(charts, {64, 16}), Invalid_input_error);
-  pack_charts(charts, {64, 5});
+  BOOST_CHECK_THROW(pack_charts(charts, {{64, 64}, 16}), Invalid_input_error);
+  pack_charts(charts, {{64, 64}, 5});
   BOOST_TEST(least_distance(charts) >= 5. / 64);
+}
+
+// Whatever the shape of a texture: where its texels are squares, charts are what they were.
+BOOST_DATA_TEST_CASE(a_texture_need_not_be_a_square, data::make({512, 128, 300}) ^ data::make({128, 512, 200}), width,
+                     height)
+{
+  const std::array<int, 2> resolution{width, height};
+  std::vector<Pixels> pixels;
+  for (int i = 0; i < 9; ++i)
+  {
+    pixels.emplace_back(6 + i, 5, [&](int x, int y) { return (x + y * i) % 4 > 0 || y == 0; });
+  }
+  std::vector<Chart> charts, in_texels;
+  for (const Pixels& p : pixels) { charts.push_back(p.chart()); }
+  const double filled = pack_charts(charts, {resolution, 4.});
+  double covered = 0;
+  const auto length = [](const Chart& c, Index v, Index w) { return norm(c.at[v] - c.at[w]); };
+  double side = 0; // of a pixel, in texels
+  for (std::size_t i = 0; i < charts.size(); ++i)
+  {
+    in_texels.push_back(charts[i]);
+    covered += area_of(pixels[i].triangles, charts[i].at);
+    for (Plane_point& p : in_texels.back().at)
+    {
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        BOOST_TEST(p[k] >= 0);
+        BOOST_TEST(p[k] <= 1);
+        p[k] *= resolution[k];
+      }
+    }
+    for (const auto& t : pixels[i].triangles)
+    {
+      if (side == 0) { side = length(in_texels.back(), t[0], t[1]); }
+      const bool is_lower = t[1] == t[0] + 1; // which begins with a side to the right, the other with a diagonal
+      BOOST_TEST(length(in_texels.back(), t[0], t[1]) == (is_lower ? 1 : std::sqrt(2.)) * side,
+                 boost::test_tools::tolerance(1e-9));
+      BOOST_TEST(length(in_texels.back(), t[1], t[2]) == side, boost::test_tools::tolerance(1e-9));
+    }
+  }
+  BOOST_TEST(filled == covered, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(filled > 0.35);
+  BOOST_TEST(least_distance(in_texels) >= 4);
+
+  const Pixels strip(4, 1, [](int, int) { return true; });
+  std::vector<Chart> one{strip.chart()};
+  const double of_strip = pack_charts(one, {resolution});
+  BOOST_TEST(of_strip == (width == 300 ? 0.375 : 1), boost::test_tools::tolerance(1e-9));
 }
 
 // Squares of 1 and 2 units, at ten texels a unit: those of 2 need a texture of 24 texels each with their padding.
@@ -172,7 +222,7 @@ BOOST_AUTO_TEST_CASE(charts_at_a_density_fill_as_many_tiles_as_they_need)
     for (Plane_point& p : c.at) { p = 0.37 * Plane_point{-p[1], p[0]}; } // whatever their size was
   for (Plane_point& p : charts[2].at) { p[0] = -p[0]; }                  // and one is mirrored
   Pack_options options;
-  options.resolution = 24;
+  options.resolution = {24, 24};
   options.padding = 2;
   options.density = 10;
   options.tiles = 13;

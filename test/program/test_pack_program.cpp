@@ -6,6 +6,7 @@
 #include "support/written_meshes.h"
 
 #include "files/Texture_text.h"
+#include "files/png.h"
 
 #include <meridian/base/vectors.h>
 #include <meridian/proof/verify_packing.h>
@@ -82,7 +83,7 @@ BOOST_FIXTURE_TEST_CASE(charts_of_several_meshes_share_a_texture, Fixture)
   write("a.obj", squares(3));
   write("b.obj", squares(6));
   for (const std::string options : {"", "--keep-scale", "--density 60 --resolution 256 --padding 6",
-                                    "--density 100 --resolution 128 --tiles 9 --padding 4"})
+                                    "--density 100 --resolution 128 --tiles 9 --padding 4", "--resolution 128x128"})
   {
     const auto r = meridian("pack a.obj b.obj -o c.obj d.obj --report report.json " + options);
     BOOST_TEST(r.status == 0, r.error);
@@ -202,6 +203,49 @@ BOOST_FIXTURE_TEST_CASE(what_cannot_be_packed_is_refused, Fixture)
   expect("tiny.obj -o out.obj --keep-scale", 2, "1 faces were turned over or lost their area");
 }
 
+BOOST_FIXTURE_TEST_CASE(a_texture_need_not_be_a_square, Fixture)
+{
+  write("mesh.obj", written::obj(sample::noisy(sample::plate(2, 3), 0.05, 1)));
+  const auto stretch_with = [&](const std::string& options) {
+    const auto r =
+      meridian("unwrap mesh.obj -o uv.obj --charts 3 --report r.json --png board.png --svg layout.svg " + options);
+    BOOST_TEST(r.status == 0, r.error);
+    BOOST_TEST(meridian("verify mesh.obj uv.obj").status == 0);
+    return nlohmann::json::parse(text("r.json"))["components"][0]["parameterization"]["stretch_l2"].get<double>();
+  };
+  const double square = stretch_with("");
+  BOOST_TEST(stretch_with("--resolution 1024x256") == square, boost::test_tools::tolerance(1e-9));
+  const auto report = nlohmann::json::parse(text("r.json"));
+  BOOST_TEST((report["texture"]["resolution"] == std::vector<int>{1024, 256}));
+  const double coverage = report["texture"]["coverage"], density = report["texture"]["density"];
+  BOOST_TEST(coverage > 0.25);
+  const files::Image board = files::read_png((folder() / "board.png").string());
+  BOOST_TEST((board.width == 1024 && board.height == 256));
+  const auto packed = meridian("pack uv.obj -o packed.obj --from 1024x256 --resolution 256x512 --report p.json");
+  BOOST_TEST(packed.status == 0, packed.error);
+  const auto again = nlohmann::json::parse(text("p.json"));
+  BOOST_TEST(std::pow(again["density"].get<double>() / density, 2)
+               == again["coverage"].get<double>() * 512 / (coverage * 1024),
+             boost::test_tools::tolerance(1e-6));
+  const files::Texture_text before("uv.obj", text("uv.obj")), after("packed.obj", text("packed.obj"));
+  double scale = 0; // of all sides, where texels are squares
+  for (const auto& t : after.texture_triangles())
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Plane_point one = before.texture()[t[k]] - before.texture()[t[(k + 1) % 3]],
+                        other = after.texture()[t[k]] - after.texture()[t[(k + 1) % 3]];
+      const double factor = std::hypot(other[0], 2 * other[1]) / std::hypot(4 * one[0], one[1]);
+      if (scale == 0) { scale = factor; }
+      BOOST_TEST(factor == scale, boost::test_tools::tolerance(1e-6));
+    }
+  for (const std::string wrong :
+       {"1024x", "1024x15", "x256", "1024x256x3", "1e3", "8", "70000x1024", "64 --padding 20", "1024x64 --padding 20"})
+  {
+    BOOST_TEST(meridian("unwrap mesh.obj -o uv.obj --resolution " + wrong).status == 64, wrong);
+  }
+  BOOST_TEST(meridian("unwrap mesh.obj -o uv.obj --resolution 64x128 --geometry-image 33").status == 64);
+}
+
 // Islands without area in space or in the texture are packed too, and say nothing about the density.
 BOOST_FIXTURE_TEST_CASE(the_density_is_that_of_charts_with_an_area, Fixture)
 {
@@ -227,6 +271,13 @@ BOOST_AUTO_TEST_CASE(packed_charts_are_recounted)
     BOOST_TEST(contains(found.failures[0], message), found.failures[0]);
   };
   BOOST_TEST(!verify_packing(faces, apart, 0.31));
+  BOOST_TEST(verify_packing(faces, apart, {3 * 0.29, 3, 100}).failures.empty()); // to the right
+  BOOST_TEST(!verify_packing(faces, apart, {3 * 0.31, 3, 100}));
+  BOOST_TEST(!verify_packing(faces, apart, {100 * 0.29, 3, 100}));
+  auto above = apart;
+  for (Plane_point& p : above) { std::swap(p[0], p[1]); }
+  BOOST_TEST(verify_packing(faces, above, {3 * 0.29, 100, 3}).failures.empty());
+  BOOST_TEST(!verify_packing(faces, above, {3 * 0.31, 100, 3}));
   auto moved = apart;
   for (std::size_t v = 5; v < 8; ++v) { moved[v][0] -= 0.25; }
   expect(moved, "nearer to another chart");

@@ -13,8 +13,8 @@ namespace meridian {
 /*!
  * \ingroup PkgMeridianCut
  *
- * opens what seams shall keep out of where they cannot: each connected part of it that is no disc, such as a band around
- * a handle, is opened along short edges, by taking the faces at them out of it.
+ * opens what seams shall keep out of where they cannot: each connected part of it that is no disc, such as a band
+ * around a handle, is opened along short edges, by taking the faces at them out of it.
  *
  * \param s the surface; seams that there are must be boundaries of it
  * \param kept_out of each face, whether seams shall keep out of it

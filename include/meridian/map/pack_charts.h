@@ -22,19 +22,20 @@ struct Chart
 /// how charts are packed.
 struct Pack_options
 {
-  int resolution = 2048; ///< texels along a side of the square
-  double padding = 2;    ///< texels between two charts, at least
-  int tries = 64;        ///< ways to begin that are compared on a coarse grid, fewer of many charts
-  double density = 0;    ///< texels along a unit of length; 0: as many as fit
-  /// with `density`: how many squares there may be. Number `t` is moved by `t % 10` to the right and `t / 10` up, as is
-  /// the custom of UDIM
+  /// texels to the right and upwards of the texture, whose sides are 1 whatever its shape
+  std::array<int, 2> resolution{2048, 2048};
+  double padding = 2; ///< texels between two charts, at least
+  int tries = 64;     ///< ways to begin that are compared on a coarse grid, fewer of many charts
+  double density = 0; ///< texels along a unit of length; 0: as many as fit
+  /// with `density`: how many textures there may be. Number `t` is moved by `t % 10` to the right and `t / 10` up, as
+  /// is the custom of UDIM
   int tiles = 1;
 };
 
 /*!
  * \ingroup PkgMeridianParameterization
  *
- * packs charts into the unit square by their outlines, all at one scale of area.
+ * packs charts into the unit square by their outlines, all at one scale of area, and of one shape in texels.
  *
  * Charts are taken by size, the largest first. Each is tried in several directions, large ones in many, at all
  * places of a grid of cells where it touches no cell that another chart or its padding touches, and so also inside
@@ -60,6 +61,12 @@ double pack_charts(std::vector<Chart>& charts, const Pack_options& options = Pac
 /// \returns the area of the faces of a chart in the plane, whichever way they are turned
 /// \param chart the chart
 double covered_area(const Chart& chart);
+
+/// \ingroup PkgMeridianParameterization
+/// \returns a point of a texture where its shape is that of its texels, in a rectangle whose longer side is 1
+/// \param p the point
+/// \param resolution the texels of the texture to the right and upwards
+Plane_point in_proportion(const Plane_point& p, const std::array<int, 2>& resolution);
 
 /// \ingroup PkgMeridianParameterization
 /// \returns the number of the last square that has a point, as `Pack_options::tiles` counts them, and one more

@@ -4,6 +4,7 @@
 
 #include <meridian/base/Verification.h>
 #include <meridian/base/vectors.h>
+#include <meridian/proof/Padding.h>
 
 #include <array>
 #include <cstdint>
@@ -15,12 +16,12 @@ namespace meridian {
  * \ingroup PkgMeridianVerification
  *
  * recounts charts that were packed, whatever they are themselves: that each face lies in one tile, that no two charts
- * of a tile are nearer than a gap, compared exactly, and that none lies inside another. Faces that share a vertex are
- * of one chart.
+ * of a tile are nearer than the padding, compared exactly, and that none lies inside another. Faces that share a vertex
+ * are of one chart.
  *
  * \param faces the places in `texture` of the corners of each face
  * \param texture the points
- * \param gap how far apart charts are, at least; more than 0
+ * \param padding how far apart charts are, at least; more than 0
  * \param tiles how many there may be; see `verify_unwrapping()`
  * \param before where the points were before they were packed, if it shall be recounted, too, that each face has the
  *   same exact sign of its area still: none was turned over or lost its area
@@ -29,7 +30,7 @@ namespace meridian {
  * \f$ O(b \log^2 b + k) \f$ for `b` sides on borders, of which `k` pairs are near (\cite zomorodian2002)
  */
 Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& faces,
-                            const std::vector<Plane_point>& texture, double gap, int tiles = 1,
+                            const std::vector<Plane_point>& texture, const Padding& padding, int tiles = 1,
                             const std::vector<Plane_point>& before = {});
 
 } // namespace meridian

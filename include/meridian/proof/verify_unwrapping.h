@@ -5,6 +5,7 @@
 #include <meridian/base/Polygon_soup.h>
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/Verification.h>
+#include <meridian/proof/Padding.h>
 
 #include <array>
 #include <vector>
@@ -22,12 +23,12 @@ namespace meridian {
  *   square moved by `t % 10` to the right and `t / 10` up;
  * - no two sides on borders of charts meet, other than at a vertex that they share, and no chart lies inside another:
  *   by exact signs. With the signs of the faces, the layout is then one-to-one;
- * - if a gap is asked for, no two charts of one tile are nearer, compared exactly.
+ * - if padding is asked for, no two charts of one tile are nearer, compared exactly.
  *
  * \param input the input as it was read
  * \param result the result as it was read, a vertex for each texture coordinate
  * \param texture the coordinates of each vertex of `result`
- * \param gap how far apart charts are, at least
+ * \param padding how far apart charts are, at least
  * \param tiles how many there may be
  *
  * \returns the counts and the failures
@@ -36,7 +37,8 @@ namespace meridian {
  * which `k` pairs are near (\cite zomorodian2002)
  */
 Verification verify_unwrapping(const Polygon_soup& input, const Result_mesh& result,
-                               const std::vector<Plane_point>& texture, double gap = 0, int tiles = 1);
+                               const std::vector<Plane_point>& texture, const Padding& padding = Padding(),
+                               int tiles = 1);
 
 } // namespace meridian
 

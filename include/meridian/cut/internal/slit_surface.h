@@ -32,7 +32,7 @@ public:
   const std::vector<Index>& vertices(Index loop) const { return m_vertices[loop]; }
   bool may_cross(Index h) const { return !m_surface.is_seam_or_boundary(h); }
   bool is_kept_out(Index f) const { return !m_kept_out.empty() && m_kept_out[m_surface.face_of[f]]; }
-  // What a way through a face, or along an edge, is longer than it is: more than all detours, where curves shall not go.
+  // What a way through a face, or along an edge, is longer than it is: where curves shall not go, more than any other.
   double detour(Index f) const { return is_kept_out(f) ? m_detour : 0; }
   double detour_along(Index h) const
   {

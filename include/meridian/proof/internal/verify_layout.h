@@ -4,6 +4,7 @@
 
 #include <meridian/base/Result_mesh.h>
 #include <meridian/base/vectors.h>
+#include <meridian/proof/Padding.h>
 #include <meridian/proof/internal/verify_counts.h>
 
 #include <array>
@@ -30,19 +31,19 @@ public:
   std::vector<Id> find_meeting() const;
   // Faces, one of each piece that lies inside another; only counted right if no borders meet.
   std::vector<Id> find_inside() const;
-  // Faces with a side on the border that is nearer than a distance to that of another piece in the same tile, a square
+  // Faces with a side on the border that is nearer than the padding to that of another piece in the same tile, a square
   // with corners in whole numbers.
-  std::vector<Id> find_near(double distance) const;
+  std::vector<Id> find_near(const Padding& padding) const;
 
 private:
   struct Box;
-  std::vector<Box> boxes(double margin) const;
+  std::vector<Box> boxes(const Plane_point& margin) const;
 
   const Plane_point& at(Id side) const { return m_texture[m_result.faces[side / 3][side % 3]]; }
   Id vertex(Id side) const { return m_result.faces[side / 3][side % 3]; }
   bool meet(Id a, Id b) const;
   std::array<double, 2> tile_of(Id side) const;
-  bool are_nearer(Id a, Id b, double distance) const;
+  bool are_nearer(Id a, Id b, const Padding& padding) const;
 
   const Result_mesh& m_result;
   const std::vector<Plane_point>& m_texture;
