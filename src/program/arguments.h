@@ -73,6 +73,7 @@ struct Unwrap_arguments : Cut_arguments // with a family, the best of its member
   std::optional<Chart_per> chart_per;
   std::string keep_out; // `red`, a path, or empty
   Pack_options packing;
+  bool has_padding = false;
 };
 
 struct Compare_arguments : Common_arguments

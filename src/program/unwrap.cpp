@@ -202,7 +202,8 @@ void pack(const Unwrap_arguments& arguments, std::vector<Unwrap_run>& runs)
       std::move(run.unwrapped.begin(), run.unwrapped.end(), std::back_inserter(all));
       for (const Surface_component& c : run.loaded.examination.components) { units.push_back(c.unit); }
     }
-    pack_unwrappings(all, units, arguments.packing);
+    const double by_itself = arguments.charts == 0 ? default_max_stretch_of_charts : default_max_stretch;
+    pack_unwrappings(all, units, arguments.packing, arguments.max_stretch.value_or(by_itself));
     auto next = all.begin();
     for (Unwrap_run& run : runs)
       for (Unwrapping& u : run.unwrapped) { u = std::move(*next++); }
@@ -431,6 +432,7 @@ Command add_unwrap(CLI::App& app)
   return {command, [a, command] {
             note_cut_options(*command, *a);
             a->has_border = command->count("--border") > 0;
+            a->has_padding = command->count("--padding") > 0;
             if (command->count("--shortest-seams") > 0) { a->max_stretch = 0; }
             if (command->count("--seams") > 0 && a->seams.empty()) { throw Usage_error("--seams names nothing"); }
             if (command->count("--keep-out") > 0 && a->keep_out.empty())

@@ -10,6 +10,8 @@
 #include <meridian/map/distortion.h>
 #include <meridian/map/pack_charts.h>
 #include <meridian/map/planar_map.h>
+#include <meridian/proof/Padding.h>
+#include <meridian/proof/verify_packing.h>
 #include <meridian/surface/examine_surface.h>
 #include <meridian/surface/measures.h>
 
@@ -119,6 +121,12 @@ std::vector<std::string> notes_of(const std::vector<Unwrapping>& unwrapped, cons
     notes.push_back("note: read in single precision, the coordinates leave " + count_of(flipped, "face", "faces")
                     + " without area, or turned over");
   }
+  const std::size_t near = report["texture"]["near_themselves"];
+  if (near > 0)
+  {
+    notes.push_back("note: " + count_of(near, "face is", "faces are")
+                    + " nearer than the padding to another side of a slit of its chart");
+  }
   if (report.contains("geometry_image"))
   {
     const Json& image = report["geometry_image"];
@@ -194,6 +202,12 @@ void report_run(Unwrap_run& run)
   }
   run.warnings = warnings_of(run.unwrapped);
   run.missed = missed_of(arguments, run.unwrapped, run.options);
+  const auto near = find_near_themselves(result.assembled.mesh.faces, texture, padding_of(arguments.packing));
+  if (!near.empty() && arguments.has_padding)
+  {
+    run.missed.push_back(count_of(near.size(), "face is", "faces are") + " nearer than the padding to another side of "
+                         + "a slit of its chart; --charts auto has fewer slits");
+  }
   const std::vector<std::string> missed = missed_kept_out(run.options, result.cuts, components);
   run.missed.insert(run.missed.end(), missed.begin(), missed.end());
   const Result_mesh& mesh = result.assembled.mesh;
@@ -206,6 +220,7 @@ void report_run(Unwrap_run& run)
                   {"tiles", count_tiles(texture)},
                   {"resolution", arguments.packing.resolution},
                   {"density", density_of(arguments, run.loaded, mesh, texture)},
+                  {"near_themselves", near.size()},
                   {"flipped_in_single_precision", count_flipped_in_single_precision(mesh, texture)}}},
                 {"seconds", report_seconds(run.loaded, result)},
                 {"failures", result.verification.failures},

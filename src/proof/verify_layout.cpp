@@ -141,6 +141,62 @@ std::array<double, 2> Layout_verifier::tile_of(Id s) const
   return {std::floor(std::min(a[0], b[0])), std::floor(std::min(a[1], b[1]))};
 }
 
+std::vector<Layout_verifier::Way> Layout_verifier::ways_along_borders(const Padding& padding) const
+{
+  std::vector<Id> from(m_texture.size(), -1); // the side on the border that begins at a vertex
+  for (Id s : m_border) { from[vertex(s)] = s; }
+  std::vector<Way> ways(3 * m_result.faces.size());
+  std::vector<char> is_done(ways.size(), 0);
+  for (Id first : m_border)
+  {
+    if (is_done[first]) { continue; }
+    std::vector<Id> loop;
+    double whole = 0;
+    for (Id s = first; s >= 0 && !std::exchange(is_done[s], 1); s = from[vertex(next_side(s))])
+    {
+      const Plane_point along = at(next_side(s)) - at(s);
+      ways[s].before = whole;
+      ways[s].length = std::hypot(along[0] * padding.width, along[1] * padding.height);
+      whole += ways[s].length;
+      loop.push_back(s);
+    }
+    for (Id s : loop) { ways[s].whole = whole; }
+  }
+  return ways;
+}
+
+bool Layout_verifier::is_outside_of(Id side, Id other) const
+{
+  const auto is_right = [&](Id end) {
+    return CGAL::orientation(point<Kernel>(at(side)), point<Kernel>(at(next_side(side))), point<Kernel>(at(end)))
+           == CGAL::RIGHT_TURN;
+  };
+  return is_right(other) || is_right(next_side(other));
+}
+
+std::vector<Id> Layout_verifier::find_near_itself(const Padding& padding) const
+{
+  constexpr double paddings = 8;
+  const std::vector<Way> ways = ways_along_borders(padding);
+  const auto is_far_along = [&](Id a, Id b) {
+    const Way &first = ways[a].before < ways[b].before ? ways[a] : ways[b],
+              &last = ways[a].before < ways[b].before ? ways[b] : ways[a];
+    const double between = last.before - first.before - first.length,
+                 around = first.whole - last.before - last.length + first.before;
+    return std::min(between, around) >= paddings * padding.texels;
+  };
+  std::vector<Box> all = boxes({padding.texels / padding.width / 2, padding.texels / padding.height / 2});
+  std::vector<Id> near;
+  CGAL::box_self_intersection_d(all.begin(), all.end(), [&](const Box& a, const Box& b) {
+    if (m_piece[a.side / 3] == m_piece[b.side / 3] && is_far_along(a.side, b.side) && is_outside_of(a.side, b.side)
+        && is_outside_of(b.side, a.side) && are_nearer(a.side, b.side, padding))
+    {
+      near.insert(near.end(), {a.side / 3, b.side / 3});
+    }
+  });
+  return near;
+}
+
 std::vector<Id> Layout_verifier::find_near(const Padding& padding) const
 {
   std::vector<Box> all = boxes({padding.texels / padding.width / 2, padding.texels / padding.height / 2});

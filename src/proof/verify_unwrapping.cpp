@@ -144,4 +144,16 @@ Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& face
   return found;
 }
 
+std::vector<std::int32_t> find_near_themselves(const std::vector<std::array<std::int32_t, 3>>& faces,
+                                               const std::vector<Plane_point>& texture, const Padding& padding)
+{
+  Result_mesh mesh;
+  mesh.faces = faces;
+  mesh.points.resize(texture.size());
+  std::vector<std::int32_t> near = verification::Layout_verifier(mesh, texture).find_near_itself(padding);
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
+}
+
 } // namespace meridian

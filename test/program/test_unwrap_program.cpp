@@ -23,6 +23,7 @@
 #include <filesystem>
 #include <functional>
 #include <sstream>
+#include <utility>
 
 using namespace meridian;
 using written::contains;
@@ -400,6 +401,28 @@ BOOST_FIXTURE_TEST_CASE(padding_keeps_components_apart, Fixture)
     BOOST_TEST(json("report.json")["texture"]["coverage"] < covered);
     covered = json("report.json")["texture"]["coverage"];
   }
+}
+
+// A plate with holes lies flat: the sides of its slits lie on each other, until they are opened.
+BOOST_FIXTURE_TEST_CASE(padding_is_kept_within_a_chart, Fixture)
+{
+  const auto run = [&](const std::string& options) {
+    const auto r = meridian("unwrap plate.obj -o uv.obj --report report.json --shortest-seams " + options);
+    return std::make_pair(r, json("report.json")["texture"]["near_themselves"].get<int>());
+  };
+  write("plate.obj", obj(sample::noisy(sample::plate(5, 6), 0.02, 1)));
+  const auto [by_itself, none] = run("");
+  BOOST_TEST(by_itself.status == 0, by_itself.error);
+  BOOST_TEST(none == 0);
+  const auto [wide, few] = run("--padding 10 --resolution 1024");
+  BOOST_TEST(wide.status == 0, wide.error);
+  BOOST_TEST(few == 0);
+  const auto [too_wide, many] = run("--padding 12 --resolution 64");
+  BOOST_TEST(too_wide.status == 2);
+  BOOST_TEST(many > 0);
+  BOOST_TEST(contains(too_wide.error, std::to_string(many) + " faces are nearer than the padding"), too_wide.error);
+  BOOST_TEST(json("report.json")["verified"] == false);
+  BOOST_TEST(meridian("verify plate.obj uv.obj").status == 0);
 }
 
 BOOST_FIXTURE_TEST_CASE(a_density_is_kept_and_tiles_are_filled, Fixture)

@@ -33,6 +33,23 @@ Verification verify_packing(const std::vector<std::array<std::int32_t, 3>>& face
                             const std::vector<Plane_point>& texture, const Padding& padding, int tiles = 1,
                             const std::vector<Plane_point>& before = {});
 
+/*!
+ * \ingroup PkgMeridianVerification
+ *
+ * recounts where charts are near themselves, so that texels of one side of a slit bleed into the other: sides of a
+ * border that face each other across what is outside, nearer than the padding, compared exactly, while the way from one
+ * to the other along the border is longer than eight times that. At the end of a slit they must be near.
+ *
+ * \param faces the places in `texture` of the corners of each face; charts are discs
+ * \param texture the points
+ * \param padding how far apart sides should be, at least
+ * \returns the faces at such sides, ascending
+ * \par Complexity
+ * \f$ O(b \log^2 b + k) \f$ for `b` sides on borders, of which `k` pairs are near (\cite zomorodian2002)
+ */
+std::vector<std::int32_t> find_near_themselves(const std::vector<std::array<std::int32_t, 3>>& faces,
+                                               const std::vector<Plane_point>& texture, const Padding& padding);
+
 } // namespace meridian
 
 #endif // MERIDIAN_PROOF_VERIFY_PACKING_H

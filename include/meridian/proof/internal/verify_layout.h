@@ -34,6 +34,9 @@ public:
   // Faces with a side on the border that is nearer than the padding to that of another piece in the same tile, a square
   // with corners in whole numbers.
   std::vector<Id> find_near(const Padding& padding) const;
+  // Faces with a side on the border that is nearer than the padding to another of the same piece, across what is
+  // outside, while the way along the border is longer than eight times the padding.
+  std::vector<Id> find_near_itself(const Padding& padding) const;
 
 private:
   struct Box;
@@ -43,6 +46,13 @@ private:
   Id vertex(Id side) const { return m_result.faces[side / 3][side % 3]; }
   bool meet(Id a, Id b) const;
   std::array<double, 2> tile_of(Id side) const;
+  // The length of the border of its piece before each side, in texels, and of the whole; pieces are discs.
+  struct Way
+  {
+    double before = 0, whole = 0, length = 0;
+  };
+  std::vector<Way> ways_along_borders(const Padding& padding) const;
+  bool is_outside_of(Id side, Id other) const;
   bool are_nearer(Id a, Id b, const Padding& padding) const;
 
   const Result_mesh& m_result;
