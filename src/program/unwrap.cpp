@@ -67,6 +67,9 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const bool has_seams = has_given_seams(a), has_wishes = has_seams || !a.keep_out.empty();
   forbid(a.seams.compare(0, 6, "sharp:") == 0 && !is_kind_of_seam(a.seams),
          "--seams sharp:ANGLE takes an angle in degrees, more than 0 and less than 180");
+  forbid(a.is_symmetric && (has_wishes || a.geometry_image > 0 || a.family > 1 || a.stretch_weight > 0),
+         "--symmetry has seams of its own; leave out --seams, --chart-per, --keep-out, --family, --stretch-weight and "
+         "--geometry-image");
   forbid(has_wishes && a.geometry_image > 0,
          "--geometry-image has a cut of its own; leave out --seams, --chart-per and --keep-out");
   forbid(has_wishes && (a.family > 1 || a.stretch_weight > 0),
@@ -125,6 +128,7 @@ Unwrap_options unwrap_options(const Unwrap_arguments& a, const Cut_options& cut)
   o.max_stretch = a.max_stretch;
   o.image_size = a.geometry_image;
   o.charts = a.charts;
+  o.is_symmetric = a.is_symmetric;
   return o;
 }
 
@@ -386,6 +390,12 @@ void add_chart_options(CLI::App& command, Unwrap_arguments& a)
     ->check(CLI::Range(1, 1000000) | CLI::IsMember({"auto"}))
     ->type_name("N|auto")
     ->group("Charts");
+  exclude_ways_to_cut(command,
+                      *command
+                         .add_flag("--symmetry", a.is_symmetric,
+                                   "make seams and charts mirror images of each other, if the mesh is its own, "
+                                   "triangle by triangle; seams run along edges")
+                         ->group("Charts"));
   add_pack_options(command, a.packing);
 }
 

@@ -82,6 +82,7 @@ Json report_map(const Unwrapping& u, const Unwrap_options& options, double unit)
           {"links", report_steps(u.variations, unit)},
           {"extensions", report_steps(u.extensions, unit)},
           {"extended_to", u.extended},
+          {"symmetric", u.is_symmetric},
           {"charts", u.charts}};
 }
 
@@ -167,6 +168,12 @@ std::vector<std::string> missed_of(const Unwrap_arguments& arguments, const std:
     const Unwrapping& u = unwrapped[i];
     std::ostringstream missed;
     missed << "component " << i << ": ";
+    if (arguments.is_symmetric && !u.is_symmetric)
+    {
+      all.push_back("component " + std::to_string(i)
+                    + ": no plane is found in which it is its own mirror image, triangle by triangle and with edges "
+                      "along it; it is unwrapped as it is without --symmetry");
+    }
     if (arguments.charts > 1 && u.charts < static_cast<std::size_t>(arguments.charts))
     {
       missed << count_of(u.charts, "chart", "charts") << ", fewer than the " << arguments.charts

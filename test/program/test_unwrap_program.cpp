@@ -471,6 +471,11 @@ BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture
                                    "--keep-out \"\"",
                                    "--keep-out red --geometry-image 33",
                                    "--keep-out red --family 3",
+                                   "--symmetry --keep-out red",
+                                   "--symmetry --seams sharp:30",
+                                   "--symmetry --geometry-image 33",
+                                   "--symmetry --family 2",
+                                   "--symmetry --method generators",
                                    "--keep-out red --method generators",
                                    "--png board.jpg",
                                    "--distortion faces.obj",
@@ -791,6 +796,20 @@ BOOST_FIXTURE_TEST_CASE(seams_keep_out_of_faces_that_are_marked, Fixture)
   const auto few = meridian(command + "marked.txt");
   BOOST_TEST(few.status == 1);
   BOOST_TEST(contains(few.error, "it has 3 numbers"), few.error);
+}
+
+BOOST_FIXTURE_TEST_CASE(symmetry_is_kept_or_missed, Fixture)
+{
+  write("ball.obj", obj(sample::sphere(3)));
+  const auto kept = meridian("unwrap ball.obj -o uv.obj --symmetry --report report.json");
+  BOOST_TEST(kept.status == 0, kept.error);
+  BOOST_TEST(json("report.json")["components"][0]["parameterization"]["symmetric"] == true);
+  BOOST_TEST(meridian("verify ball.obj uv.obj").status == 0);
+  const auto missed = meridian("unwrap mesh.obj -o uv.obj --symmetry --report report.json"); // noisy
+  BOOST_TEST(missed.status == 2);
+  BOOST_TEST(contains(missed.error, "its own mirror image"), missed.error);
+  BOOST_TEST(json("report.json")["components"][0]["parameterization"]["symmetric"] == false);
+  BOOST_TEST(meridian("verify mesh.obj uv.obj").status == 0);
 }
 
 #ifdef MERIDIAN_ASSIMP

@@ -55,6 +55,9 @@ struct Unwrap_options
   /// faces of the surface that no seam shall go over, if that can be: curves go around them, and `cut` says the same of
   /// them as with `seams`
   std::vector<Index> keep_out;
+  /// whether seams and charts shall be mirror images of each other if the surface is: see `find_mirror()`. Then seams
+  /// run along edges, and one chart is two where its halves cannot stay together
+  bool is_symmetric = false;
   /// if not 0: the border becomes that of a geometry image with as many points along a side, which is a square
   int image_size = 0;
 };
@@ -86,6 +89,7 @@ struct Unwrapping
   std::size_t extended = 0;            ///< vertices that the cut was extended to
   std::size_t charts = 1;              ///< connected pieces of `disc`, each of them a disc, beside each other in `map`
   std::vector<Index> chart_of;         ///< the chart of each face; empty if there is one
+  bool is_symmetric = false;           ///< whether seams and charts are mirror images, as `Unwrap_options` asked for
 };
 
 } // namespace meridian
