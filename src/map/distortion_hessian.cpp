@@ -82,6 +82,16 @@ void Distortion_hessian::add(const Rest_triangle& t, const Energy_derivatives& d
   }
 }
 
+void Distortion_hessian::add_to_vertex(Index v, double x, const Plane_point& downwards)
+{
+  const Index row = unknown(v);
+  for (int k = 0; k < 2; ++k)
+  {
+    m_matrix.value(m_matrix.end(row + k) - 1) += x;
+    m_downwards[row + k] += downwards[k];
+  }
+}
+
 void Distortion_hessian::add_to_diagonal(double x)
 {
   for (Index i = 0; i < m_matrix.rows(); ++i) { m_matrix.value(m_matrix.end(i) - 1) += x; }

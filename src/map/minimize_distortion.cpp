@@ -77,8 +77,8 @@ std::vector<Index> number_what_moves(const Triangle_surface& disc, bool has_free
 Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, std::vector<Plane_point>& at,
                                            const Distortion_options& options, bool is_near)
   : m_at(at), m_solver(options.make_solver()), m_energy(options.energy), m_has_free_border(options.has_free_border),
-    m_faces(rest_triangles(disc)), m_hessian(number_what_moves(disc, options.has_free_border)), m_is_near(is_near),
-    m_resistance(is_near ? 0.001 : 0.01)
+    m_faces(rest_triangles(disc)), m_hessian(number_what_moves(disc, options.has_free_border)), m_pins(options.pins),
+    m_stiffness(options.stiffness), m_is_near(is_near), m_resistance(is_near ? 0.001 : 0.01)
 {
   for (Index v = 0; v < static_cast<Index>(at.size()) + 4; ++v) { m_may_move.push_back(m_hessian.unknown(v) >= 0); }
   const auto loops = boundary_loops(disc);
@@ -89,6 +89,7 @@ Distortion_minimizer::Distortion_minimizer(const Triangle_surface& disc, std::ve
     m_area += t.weight;
     image += cross(m_at[t.corners[1]] - m_at[t.corners[0]], m_at[t.corners[2]] - m_at[t.corners[0]]) / 2;
   }
+  m_stiffness *= m_area / image;
   // It is the surface that is scaled, so that a border that is fixed stays to the bit.
   const double scale = std::sqrt(m_area / image);
   m_is_roomy = m_has_free_border && is_roomy(m_loop, m_at);
@@ -171,7 +172,17 @@ double Distortion_minimizer::energy(const std::vector<Plane_point>& at) const
 {
   double sum = 0;
   for (const Rest_triangle& t : m_faces) { sum += t.weight * energy_of(m_energy, gradient_of(t, at)); }
+  for (const Map_pin& p : m_pins) { sum += m_stiffness * dot(at[p.vertex] - p.at, at[p.vertex] - p.at); }
   return sum;
+}
+
+void Distortion_minimizer::add_springs(const std::vector<Plane_point>& at)
+{
+  for (const Map_pin& p : m_pins)
+  {
+    if (m_hessian.unknown(p.vertex) < 0) { continue; }
+    m_hessian.add_to_vertex(p.vertex, 2 * m_stiffness, 2 * m_stiffness * (p.at - at[p.vertex]));
+  }
 }
 
 double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move)
@@ -179,6 +190,7 @@ double Distortion_minimizer::find_direction(const std::vector<Plane_point>& at, 
   m_hessian.reset(m_faces, m_outside);
   for (const Rest_triangle& t : m_faces) { m_hessian.add(t, derive_energy(t, gradient_of(t, at), m_energy)); }
   for (const Rest_triangle& t : m_outside) { m_hessian.add(t, derive_energy(t, gradient_of(t, at))); }
+  add_springs(at);
   // A little is added to the diagonal, and more if rounding made the matrix indefinite.
   const Index unknowns = m_hessian.number_of_unknowns();
   double added = 1e-12 * m_hessian.trace() / unknowns;

@@ -71,7 +71,7 @@ public:
   // The points of all charts in the unit square.
   std::vector<std::vector<Plane_point>> pack()
   {
-    if (m_options.density > 0) { return place_at_density(); }
+    if (m_options.density > 0 || has_fixed()) { return place_at_density(); }
     if (m_charts.size() == 1) { return place_one(); }
     std::vector<std::vector<Plane_point>> best, placed;
     double least = place_in_smallest_square(best);
@@ -280,12 +280,16 @@ private:
       best = find_best(square.atlas, chart, {direction}, unit);
     }
     if (!best.place) { return {}; }
-    square.atlas.take(best.cells, *best.place);
-    square.coarse.take(coarsened(best.cells, *best.place, gap, coarser),
-                       {0, 0, (square.atlas.extent() + coarser - 1) / coarser});
+    take(best.cells, *best.place, gap, square);
     const Plane_point at{static_cast<double>(best.place->x), static_cast<double>(best.place->y)};
     for (Plane_point& p : best.at) { p = p + at; }
     return std::move(best.at);
+  }
+
+  static void take(const Chart_cells& cells, const Atlas::Place& place, int gap, Square& square)
+  {
+    square.atlas.take(cells, place);
+    square.coarse.take(coarsened(cells, place, gap, coarser), {0, 0, (square.atlas.extent() + coarser - 1) / coarser});
   }
 
   // Whether a chart is no larger than a square: that of others would have too many cells to be drawn.
@@ -307,15 +311,53 @@ private:
     return placed;
   }
 
+  bool has_fixed() const
+  {
+    return std::any_of(m_charts.begin(), m_charts.end(), [](const Chart& c) { return c.is_fixed; });
+  }
+
+  // In texels along a unit of length: what was chosen, or that of charts that are fixed.
+  double density() const
+  {
+    if (!has_fixed()) { return m_options.density; }
+    double image = 0, area = 0;
+    for (const Chart& c : m_charts)
+    {
+      image += c.is_fixed ? covered_area(c) : 0;
+      area += c.is_fixed ? c.area : 0;
+    }
+    return m_options.resolution[0] * std::sqrt(image / m_upwards / area);
+  }
+
+  // Charts that stay where they are take their places in the first square.
+  void take_fixed(int gap, std::vector<Square>& squares, std::vector<std::vector<Plane_point>>& placed) const
+  {
+    for (std::size_t i = 0; i < m_charts.size(); ++i)
+    {
+      if (!m_charts[i].is_fixed) { continue; }
+      placed[i] = m_charts[i].at;
+      std::vector<Plane_point> in_cells;
+      constexpr double last = fine - 1e-3; // of the last cell
+      for (const Plane_point& p : placed[i])
+      {
+        in_cells.push_back({std::min(fine * p[0], last), std::min(fine * p[1], last)});
+      }
+      if (squares.empty()) { squares.emplace_back(fine, gap); }
+      take(cells_of(*m_charts[i].triangles, in_cells), {0, 0, fine}, gap, squares.front());
+    }
+  }
+
   // The same in as many squares as that takes, in the size that charts shall have.
   std::vector<std::vector<Plane_point>> place_at_density()
   {
-    m_unit = m_options.density * fine / m_options.resolution[0];
+    m_unit = density() * fine / m_options.resolution[0];
     const int gap = std::max(gap_for(fine), 1);
     std::vector<Square> squares;
     std::vector<std::vector<Plane_point>> placed(m_charts.size());
+    take_fixed(gap, squares, placed);
     for (std::size_t i : m_order)
     {
+      if (m_charts[i].is_fixed) { continue; }
       std::size_t tile = 0;
       for (; placed[i].empty(); ++tile)
       {
@@ -335,18 +377,18 @@ private:
 
   [[noreturn]] void refuse_density(std::size_t chart) const
   {
-    const double scale = m_scale[chart] * m_options.density;
+    const double density = m_unit * m_options.resolution[0] / fine, scale = m_scale[chart] * density;
     const Plane_point extent = turn(m_charts[chart].at, m_base[chart], {scale, scale}).extent;
     const auto [width, height] = m_options.resolution;
     const int tiles = m_options.tiles;
     std::ostringstream message;
-    message << "at " << m_options.density << " texels along a unit of length, " << tiles
+    message << "at " << density << " texels along a unit of length, " << tiles
             << (tiles == 1 ? " texture of " : " textures of ") << width << " x " << height
             << " texels cannot hold all charts: there is no room for one of " << std::ceil(extent[0]) << " x "
             << std::ceil(extent[1]) << ", and all of them cover " << std::setprecision(3)
-            << m_area * m_options.density * m_options.density / width / width
-            << " textures without what is between; a lower density, a higher resolution, more tiles or more charts "
-               "would help";
+            << m_area * density * density / width / width << " textures without what is between; "
+            << (has_fixed() ? "pins nearer to each other, a higher resolution or more charts would help"
+                            : "a lower density, a higher resolution, more tiles or more charts would help");
     throw Invalid_input_error(message.str());
   }
 

@@ -72,6 +72,7 @@ struct Unwrap_arguments : Cut_arguments // with a family, the best of its member
   std::string seams;                                // `uv`, `sharp:ANGLE`, a path, or empty
   std::optional<Chart_per> chart_per;
   std::string keep_out; // `red`, a path, or empty
+  std::string pins;     // a path, or empty
   bool is_symmetric = false;
   Pack_options packing;
   bool has_padding = false;

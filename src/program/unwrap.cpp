@@ -3,9 +3,11 @@
 #include "cut.h"
 #include "end_run.h"
 #include "files/Mesh_format.h"
+#include "files/read_pins.h"
 #include "given_seams.h"
 #include "kept_out.h"
 #include "options.h"
+#include "pins.h"
 #include "unwrap_run.h"
 
 #include <meridian/base/Result_mesh.h>
@@ -67,6 +69,10 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   const bool has_seams = has_given_seams(a), has_wishes = has_seams || !a.keep_out.empty();
   forbid(a.seams.compare(0, 6, "sharp:") == 0 && !is_kind_of_seam(a.seams),
          "--seams sharp:ANGLE takes an angle in degrees, more than 0 and less than 180");
+  forbid(!a.pins.empty() && (a.packing.density > 0 || a.is_symmetric || a.geometry_image > 0),
+         "pins say where charts are, and how large; leave out --density, --symmetry and --geometry-image");
+  forbid(!a.pins.empty() && (a.family > 1 || a.stretch_weight > 0),
+         "--family and --stretch-weight compare cuts; leave out --pin");
   forbid(a.is_symmetric && (has_wishes || a.geometry_image > 0 || a.family > 1 || a.stretch_weight > 0),
          "--symmetry has seams of its own; leave out --seams, --chart-per, --keep-out, --family, --stretch-weight and "
          "--geometry-image");
@@ -97,12 +103,13 @@ std::vector<Unwrap_arguments> arguments_of_each(const Unwrap_arguments& a)
     forbid(n > 1 && !path.empty(),
            "pictures, curves, pages and doubled vertices are of one mesh; leave them out for several");
   }
-  forbid(n > 1 && (a.geometry_image > 0 || has_seams_of_one || names_file_of_kept_out(a)),
-         "geometry images, and files for --seams and --keep-out, are of one mesh; leave them out for several");
+  forbid(n > 1 && (a.geometry_image > 0 || has_seams_of_one || names_file_of_kept_out(a) || !a.pins.empty()),
+         "geometry images, and files for --seams, --keep-out and --pin, are of one mesh; leave them out for several");
   std::vector<Unwrap_arguments> each(n, a);
   std::vector<std::string> written{a.report}, read = a.meshes;
   read.push_back(has_seams_of_one ? a.seams : "");
   read.push_back(names_file_of_kept_out(a) ? a.keep_out : "");
+  read.push_back(a.pins);
   for (std::size_t i = 0; i < n; ++i)
   {
     each[i].mesh = a.meshes[i];
@@ -152,7 +159,8 @@ std::vector<Unwrap_options> unwrap_options(const Unwrap_arguments& arguments, co
 // Reads, cuts and maps.
 Unwrap_run start_run(const Unwrap_arguments& arguments, Terminal& terminal)
 {
-  Unwrap_run run{arguments, load_mesh(arguments, true), {}, {}, {}, {}, {}, {}, {}};
+  Unwrap_run run{arguments, load_mesh(arguments, true), {}, {}, {}, {}, {}, {}, {}, {}};
+  if (!arguments.pins.empty()) { run.pins = files::read_pins(arguments.pins, run.loaded.soup.points.size()); }
   move_libraries(arguments, run.loaded.attributes.libraries);
   const auto& components = run.loaded.examination.components;
   if (arguments.geometry_image > 0 && components.size() > 1)
@@ -160,6 +168,7 @@ Unwrap_run start_run(const Unwrap_arguments& arguments, Terminal& terminal)
                               + std::to_string(components.size()));
   const std::vector<Cut_options> cuts = cut_options(arguments, run.loaded, terminal);
   run.options = unwrap_options(arguments, run.loaded, cuts);
+  keep_out_of_pins(run);
   std::vector<Cut> found;
   for (std::size_t i = 0; i < components.size(); ++i)
   {
@@ -207,7 +216,7 @@ void pack(const Unwrap_arguments& arguments, std::vector<Unwrap_run>& runs)
       for (const Surface_component& c : run.loaded.examination.components) { units.push_back(c.unit); }
     }
     const double by_itself = arguments.charts == 0 ? default_max_stretch_of_charts : default_max_stretch;
-    pack_unwrappings(all, units, arguments.packing, arguments.max_stretch.value_or(by_itself));
+    pack_unwrappings(all, units, arguments.packing, arguments.max_stretch.value_or(by_itself), texture_pins(runs));
     auto next = all.begin();
     for (Unwrap_run& run : runs)
       for (Unwrapping& u : run.unwrapped) { u = std::move(*next++); }
@@ -396,6 +405,14 @@ void add_chart_options(CLI::App& command, Unwrap_arguments& a)
                                    "make seams and charts mirror images of each other, if the mesh is its own, "
                                    "triangle by triangle; seams run along edges")
                          ->group("Charts"));
+  exclude_ways_to_cut(
+    command,
+    *command
+       .add_option("--pin", a.pins,
+                   "put vertices where they shall be in the texture, and their charts with them; FILE is a text "
+                   "file with a vertex of MESH (from 0) and two coordinates on each line")
+       ->type_name("FILE")
+       ->group("Charts"));
   add_pack_options(command, a.packing);
 }
 
@@ -445,6 +462,7 @@ Command add_unwrap(CLI::App& app)
             a->has_padding = command->count("--padding") > 0;
             if (command->count("--shortest-seams") > 0) { a->max_stretch = 0; }
             if (command->count("--seams") > 0 && a->seams.empty()) { throw Usage_error("--seams names nothing"); }
+            if (command->count("--pin") > 0 && a->pins.empty()) { throw Usage_error("--pin names nothing"); }
             if (command->count("--keep-out") > 0 && a->keep_out.empty())
             {
               throw Usage_error("--keep-out names nothing");

@@ -3,6 +3,7 @@
 #include "given_seams.h"
 #include "kept_out.h"
 #include "options.h"
+#include "pins.h"
 #include "unwrap_run.h"
 
 #include <meridian/base/Result_mesh.h>
@@ -209,6 +210,7 @@ void report_run(Unwrap_run& run)
   }
   run.warnings = warnings_of(run.unwrapped);
   run.missed = missed_of(arguments, run.unwrapped, run.options);
+  for (const std::string& line : missed_pins(run)) { run.missed.push_back(line); }
   const auto near = find_near_themselves(result.assembled.mesh.faces, texture, padding_of(arguments.packing));
   if (!near.empty() && arguments.has_padding)
   {

@@ -8,6 +8,7 @@
 #include "end_run.h"
 #include "field_arguments.h"
 #include "files/Output_files.h"
+#include "files/read_pins.h"
 #include "report.h"
 
 #include <meridian/base/vectors.h>
@@ -28,6 +29,7 @@ struct Unwrap_run
   std::vector<Unwrapping> unwrapped;
   Cut_result result;
   std::vector<Plane_point> texture;
+  std::vector<files::Pin> pins; // of the file
   std::vector<std::string> warnings, missed;
   Json report;
 };

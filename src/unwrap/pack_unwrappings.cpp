@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/unwrap/pack_unwrappings.h>
 
+#include <meridian/base/exceptions.h>
 #include <meridian/map/distortion.h>
 #include <meridian/map/minimize_distortion.h>
 #include <meridian/map/open_slits.h>
+#include <meridian/map/pin_map.h>
 #include <meridian/map/planar_map.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/pieces.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace meridian {
@@ -46,7 +49,7 @@ void open_slits_of(const std::vector<Surface_piece>& pieces, Chart* charts, cons
                  was = most_stretch > 0 ? charts[i].area * square_of_stretch(disc, charts[i].at) : 0;
     left += charts[i].area * most_stretch * most_stretch - was;
     Opened_chart opened{i, charts[i].at, 0};
-    if (!(gap > 0) || open_slits(disc, opened.at, gap).before == 0) { continue; }
+    if (!(gap > 0) || charts[i].is_fixed || open_slits(disc, opened.at, gap).before == 0) { continue; }
     constexpr int steps = 3; // the rest of the chart gives way
     minimize_distortion(disc, opened.at, {Distortion_energy::SYMMETRIC_DIRICHLET, steps, 1e-3, false});
     opened.more = most_stretch > 0 ? charts[i].area * square_of_stretch(disc, opened.at) - was : 0;
@@ -62,32 +65,157 @@ void open_slits_of(const std::vector<Surface_piece>& pieces, Chart* charts, cons
   }
 }
 
-// The same of all surfaces, in texels of the size that they are about to have.
+// Charts as they are packed in the first way that is tried.
+std::vector<Chart> packed_once(std::vector<Chart> charts, Pack_options options)
+{
+  options.tries = 1;
+  pack_charts(charts, options);
+  return charts;
+}
+
+// The same of all surfaces, in texels of the size that they are about to have. Charts that are fixed stay.
 void open_slits_of_all(std::vector<Chart>& charts, const std::vector<std::vector<Surface_piece>>& pieces,
                        const Pack_options& options, double most_stretch)
 {
-  std::vector<Chart> packed = charts;
-  Pack_options once = options;
-  once.tries = 1;
-  pack_charts(packed, once);
+  const std::vector<Chart> packed = packed_once(charts, options);
   const double all = static_cast<double>(options.resolution[0]) * options.resolution[1];
   std::size_t first = 0;
-  for (std::size_t k = 0; k < pieces.size(); ++k)
+  for (const std::vector<Surface_piece>& of_surface : pieces)
   {
     std::vector<double> texels;
-    for (std::size_t i = first; i < first + pieces[k].size(); ++i)
+    for (std::size_t i = first; i < first + of_surface.size(); ++i)
     {
       texels.push_back(std::sqrt(all * covered_area(packed[i]) / covered_area(charts[i])));
     }
-    open_slits_of(pieces[k], &charts[first], texels, options.padding, most_stretch);
-    first += pieces[k].size();
+    open_slits_of(of_surface, &charts[first], texels, options.padding, most_stretch);
+    first += of_surface.size();
   }
 }
+
+// Puts charts to where their pins are.
+class Chart_pinner
+{
+public:
+  Chart_pinner(std::vector<Chart>& charts, const std::vector<std::vector<Surface_piece>>& pieces,
+               const Pack_options& options)
+    : m_charts(charts), m_options(options), m_pins(charts.size())
+  {
+    for (const auto& of_surface : pieces)
+    {
+      m_first.push_back(m_pieces.size());
+      for (const Surface_piece& piece : of_surface) { m_pieces.push_back(&piece); }
+    }
+  }
+
+  void add(const Texture_pin& pin)
+  {
+    const std::size_t last = pin.surface + 1 < m_first.size() ? m_first[pin.surface + 1] : m_pieces.size();
+    for (std::size_t i = m_first[pin.surface]; i < last; ++i)
+    {
+      const std::vector<Index>& vertices = m_pieces[i]->vertices;
+      const auto v = std::find(vertices.begin(), vertices.end(), pin.vertex);
+      if (v != vertices.end()) { m_pins[i].push_back({static_cast<Index>(v - vertices.begin()), pin.at}); }
+    }
+  }
+
+  void run()
+  {
+    for (std::size_t i = 0; i < m_charts.size(); ++i)
+    {
+      if (m_pins[i].size() > 1) { put(i); }
+    }
+    const double size = size_of_unit();
+    for (std::size_t i = 0; i < m_charts.size(); ++i)
+    {
+      if (m_pins[i].size() != 1) { continue; }
+      const double image = covered_area(m_charts[i]), scale = size * std::sqrt(m_charts[i].area / image);
+      for (Plane_point& p : m_charts[i].at) { p = scale * p; }
+      put(i);
+    }
+  }
+
+private:
+  // The sides of the texture where texels are squares.
+  Plane_point sides() const { return in_proportion({1, 1}, m_options.resolution); }
+
+  void put(std::size_t i)
+  {
+    Chart& chart = m_charts[i];
+    const double width = sides()[0], height = sides()[1];
+    std::vector<Map_pin> pins = m_pins[i];
+    for (Map_pin& p : pins) { p.at = {p.at[0] * width, p.at[1] * height}; }
+    const bool is_there = !(pin_map(m_pieces[i]->surface, chart.at, pins) > 0);
+    bool is_inside = true;
+    for (Plane_point& p : chart.at)
+    {
+      p = {p[0] / width, p[1] / height};
+      is_inside = is_inside && p[0] >= 0 && p[0] <= 1 && p[1] >= 0 && p[1] <= 1;
+    }
+    for (const Map_pin& p : m_pins[i])
+    {
+      if (is_there) { chart.at[p.vertex] = p.at; }
+    }
+    if (!is_inside)
+    {
+      throw Invalid_input_error(
+        "a chart that is pinned reaches out of the texture; pins that are nearer to each other, or "
+        "nearer to its middle, would help");
+    }
+    chart.is_fixed = true;
+  }
+
+  // How long a unit of length is, where the texture's longer side is 1: as charts have it that are fixed, or else
+  // as small as leaves room around them.
+  double size_of_unit() const
+  {
+    double image = 0, area = 0;
+    for (const Chart& c : m_charts)
+    {
+      image += c.is_fixed ? sides()[0] * sides()[1] * covered_area(c) : 0;
+      area += c.is_fixed ? c.area : 0;
+    }
+    if (area > 0) { return std::sqrt(image / area); }
+    for (const Chart& c : packed_once(m_charts, m_options))
+    {
+      image += sides()[0] * sides()[1] * covered_area(c);
+      area += c.area;
+    }
+    constexpr double smaller = 0.7;
+    double size = smaller * std::sqrt(image / area);
+    for (std::size_t i = 0; i < m_charts.size(); ++i)
+    {
+      if (m_pins[i].size() == 1) { size = std::min(size, largest_inside(i)); }
+    }
+    return size;
+  }
+
+  // How long a unit of length may be, so that a chart with one pin is inside of the texture.
+  double largest_inside(std::size_t i) const
+  {
+    constexpr double almost = 0.99;
+    const Chart& chart = m_charts[i];
+    const Map_pin& pin = m_pins[i].front();
+    double factor = std::numeric_limits<double>::infinity(); // of the chart as it is
+    for (const Plane_point& p : chart.at)
+      for (std::size_t k = 0; k < 2; ++k)
+      {
+        const double away = p[k] - chart.at[pin.vertex][k], room = sides()[k] * (away > 0 ? 1 - pin.at[k] : pin.at[k]);
+        if (std::abs(away) > 0) { factor = std::min(factor, room / std::abs(away)); }
+      }
+    return almost * factor * std::sqrt(covered_area(chart) / chart.area);
+  }
+
+  std::vector<Chart>& m_charts;
+  const Pack_options& m_options;
+  std::vector<const Surface_piece*> m_pieces; // of each chart
+  std::vector<std::size_t> m_first;           // of each surface, its first chart
+  std::vector<std::vector<Map_pin>> m_pins;   // of each chart
+};
 
 } // namespace
 
 double pack_unwrappings(std::vector<Unwrapping>& unwrapped, const std::vector<double>& units,
-                        const Pack_options& options, double most_stretch)
+                        const Pack_options& options, double most_stretch, const std::vector<Texture_pin>& pins)
 {
   const double largest = *std::max_element(units.begin(), units.end());
   std::vector<std::vector<Surface_piece>> pieces;
@@ -104,6 +232,9 @@ double pack_unwrappings(std::vector<Unwrapping>& unwrapped, const std::vector<do
   }
   Pack_options scaled = options;
   scaled.density *= largest;
+  Chart_pinner pinner(charts, pieces, scaled);
+  for (const Texture_pin& pin : pins) { pinner.add(pin); }
+  pinner.run();
   if (options.padding > 0) { open_slits_of_all(charts, pieces, scaled, most_stretch); }
   const double filled = pack_charts(charts, scaled);
   auto packed = charts.begin();

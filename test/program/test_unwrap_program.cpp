@@ -472,6 +472,11 @@ BOOST_FIXTURE_TEST_CASE(options_that_do_not_go_together_are_wrong_usage, Fixture
                                    "--keep-out red --geometry-image 33",
                                    "--keep-out red --family 3",
                                    "--symmetry --keep-out red",
+                                   "--pin \"\"",
+                                   "--pin pins.txt --symmetry",
+                                   "--pin pins.txt --density 3",
+                                   "--pin pins.txt --family 3",
+                                   "--pin pins.txt --method morse",
                                    "--symmetry --seams sharp:30",
                                    "--symmetry --geometry-image 33",
                                    "--symmetry --family 2",
@@ -796,6 +801,48 @@ BOOST_FIXTURE_TEST_CASE(seams_keep_out_of_faces_that_are_marked, Fixture)
   const auto few = meridian(command + "marked.txt");
   BOOST_TEST(few.status == 1);
   BOOST_TEST(contains(few.error, "it has 3 numbers"), few.error);
+}
+
+BOOST_FIXTURE_TEST_CASE(vertices_are_pinned, Fixture)
+{
+  const Triangle_surface torus = sample::torus(40, 20);
+  write("torus.obj", obj(torus));
+  const auto run = [&](const std::string& pins, const std::string& options = "") {
+    write("pins.txt", pins);
+    return meridian("unwrap torus.obj -o uv.obj --report report.json --pin pins.txt " + options);
+  };
+  const auto there = [&](std::size_t v) {
+    std::istringstream line(lines_of(text("uv.obj"), "vt")[v].substr(3));
+    Plane_point p{-1, -1};
+    line >> p[0] >> p[1];
+    return p;
+  };
+  const auto one = run("# a vertex\n105 0.5 0.375\n");
+  BOOST_TEST(one.status == 0, one.error);
+  BOOST_TEST((there(105) == Plane_point{0.5, 0.375}));
+  const auto three = run("105 0.5 0.5\n109 0.53 0.5\n187 0.5 0.54\n", "--charts 3 --resolution 1024x512");
+  BOOST_TEST(three.status == 0, three.error);
+  BOOST_TEST((there(105) == Plane_point{0.5, 0.5}));
+  BOOST_TEST((there(109) == Plane_point{0.53, 0.5}));
+  BOOST_TEST((there(187) == Plane_point{0.5, 0.54}));
+  BOOST_TEST(meridian("verify torus.obj uv.obj").status == 0);
+  const auto impossible = run("105 0.5 0.5\n109 0.53 0.5\n187 0.5 0.54\n106 0.53 0.5\n");
+  BOOST_TEST(impossible.status == 2);
+  BOOST_TEST(contains(impossible.error, "of 4 pinned vertices are not where they should be"), impossible.error);
+  const auto expect = [&](const std::string& pins, const std::string& message) {
+    const auto r = run(pins);
+    BOOST_TEST(r.status == 1, pins);
+    BOOST_TEST(contains(r.error, message), r.error);
+  };
+  expect("105 0 0\n109 1 1\n", "reaches out of the texture");
+  expect("800 0.5 0.5\n", "vertex 800 is none of the mesh");
+  expect("5 0.5\n", "a vertex and two coordinates");
+  expect("5 0.5 0.5 0.5\n", "there is more");
+  expect("5 0.5 1.5\n", "from 0 to 1");
+  expect("5 0.5 nan\n", "from 0 to 1");
+  expect("5 0.5 0.5\n5 0.5 0.5\n", "pinned twice");
+  expect("# none\n", "no pins");
+  BOOST_TEST(run("5 0.5 0.5\n", "--report pins.txt").status == 64);
 }
 
 BOOST_FIXTURE_TEST_CASE(symmetry_is_kept_or_missed, Fixture)

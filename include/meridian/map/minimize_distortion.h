@@ -17,7 +17,15 @@
 namespace meridian {
 
 /// \ingroup PkgMeridianParameterization
-/// when `minimize_distortion()` ends.
+/// a vertex, and where a map shall have it.
+struct Map_pin
+{
+  Index vertex;   ///< the vertex
+  Plane_point at; ///< where it shall be
+};
+
+/// \ingroup PkgMeridianParameterization
+/// what `minimize_distortion()` lowers, and when it ends.
 struct Distortion_options
 {
   Distortion_energy energy = Distortion_energy::SYMMETRIC_DIRICHLET; ///< what is lowered
@@ -26,6 +34,9 @@ struct Distortion_options
   double least_gain = 1e-3;
   bool has_free_border = true;                     ///< whether the border may move
   Make_solver make_solver = make_symmetric_solver; ///< makes the solver of each step
+  std::vector<Map_pin> pins = {};                  ///< vertices that springs draw to where they shall be
+  /// of the springs: their energy is so many times the square of their length, where that of the image is its area
+  double stiffness = 0;
 };
 
 namespace internal {
@@ -48,6 +59,8 @@ public:
 
   // Moves the points. Returns the part of the energy that the step could have gained, if nothing had been in its way.
   double step();
+  // Makes springs so many times as stiff.
+  void stiffen(double factor) { m_stiffness *= factor; }
   // The part of the energy that the last step gained.
   double gained() const { return m_gained; }
 
@@ -60,6 +73,7 @@ private:
   void surround(std::vector<Plane_point>& with_box);
 
   double energy(const std::vector<Plane_point>& at) const;
+  void add_springs(const std::vector<Plane_point>& at);
 
   // Newton's direction, and the slope along it.
   double find_direction(const std::vector<Plane_point>& at, std::vector<Plane_point>& move);
@@ -73,6 +87,8 @@ private:
   std::vector<double> m_solution;
   std::vector<Index> m_loop;
   double m_area = 0;
+  const std::vector<Map_pin> m_pins;
+  double m_stiffness; // of a spring, in the unit of the energy
   const bool m_is_near;
   double m_resistance;          // of what is outside, as a part of that of the disc
   std::vector<char> m_may_move; // of each vertex, and of the box

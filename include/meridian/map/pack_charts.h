@@ -16,6 +16,7 @@ struct Chart
   const std::vector<std::array<Index, 3>>* triangles; ///< its faces, which are the caller's
   std::vector<Plane_point> at;                        ///< the image of each vertex
   double area;                                        ///< of the disc, in one unit for all charts
+  bool is_fixed = false;                              ///< whether it stays where it is, in the texture
 };
 
 /// \ingroup PkgMeridianParameterization
@@ -42,7 +43,8 @@ struct Pack_options
  * of the bays of others; the place is taken with which the square grows least (\cite levy2002 lets charts down onto
  * a horizon instead, which leaves bays empty). Several directions of the first chart and orders of all are tried on a
  * coarse grid, and the best of them on a fine one. Then the square is scaled to the unit square; or, with a density,
- * each chart goes into the first square that has a place for it. A chart is not turned if rounding would then turn a
+ * each chart goes into the first square that has a place for it. So it does if charts are fixed, which say the density.
+ * A chart is not turned if rounding would then turn a
  * face over. Charts may overlap themselves, and be mirrored.
  *
  * \param charts the charts; their points are moved
@@ -50,7 +52,8 @@ struct Pack_options
  * \returns the part of the square that is filled, or of all squares that are used
  * \throws Invalid_input_error if the padding leaves no room for so many charts, or so many squares no room at that
  *   density
- * \pre there is a chart; no padding is more than a quarter of the resolution
+ * \pre there is a chart; no padding is more than a quarter of the resolution; charts that are fixed have an area, and
+ *   lie in the unit square
  * \par Complexity
  * For each chart and direction, the number of the chart's rows of cells times that of the square's, of which there are
  * up to about 1024.

@@ -31,6 +31,8 @@ public:
   void add(const Rest_triangle& t, const Energy_derivatives& d);
 
   void add_to_diagonal(double x);
+  // Adds to the diagonal at a vertex that moves, and to the slope there.
+  void add_to_vertex(Index v, double x, const Plane_point& downwards);
 
   Index number_of_unknowns() const { return 2 * m_rows; }
   // The first of the two unknowns of a vertex, or -1.
