@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/map/internal/Atlas.h>
 
+#include <meridian/map/planar_map.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace meridian {
 
@@ -39,39 +42,123 @@ void add_run(Chart_cells& cells, const Chart_cells::Run& run)
   else { cells.runs.push_back(run); }
 }
 
+// The cells that a chart touches, as they become known.
+class Touched_cells
+{
+public:
+  // Those of a triangle.
+  void touch(const std::array<Plane_point, 3>& t)
+  {
+    constexpr double rounding = 1e-6; // of what is placed later
+    const auto [low, high] = std::minmax({t[0][1], t[1][1], t[2][1]});
+    const int last = cell(high + rounding);
+    if (last >= static_cast<int>(m_spans.size())) { m_spans.resize(last + 1); }
+    for (int y = std::max(cell(low - rounding), 0); y <= last; ++y)
+    {
+      const auto [left, right] = span_in_band(t, y);
+      if (left <= right) { add(y, std::max(cell(left - rounding), 0), cell(right + rounding) + 1); }
+    }
+  }
+
+  // Those of a row from the cell of one point to that of another.
+  void fill(int y, double left, double right) { add(y, std::max(cell(left), 0), cell(right) + 1); }
+
+  Chart_cells find()
+  {
+    Chart_cells cells;
+    for (int y = 0; y < static_cast<int>(m_spans.size()); ++y)
+    {
+      std::sort(m_spans[y].begin(), m_spans[y].end());
+      for (const auto& [begin, end] : m_spans[y]) { add_run(cells, {y, begin, end}); }
+    }
+    return cells;
+  }
+
+  int rows() const { return static_cast<int>(m_spans.size()); }
+
+private:
+  static int cell(double x) { return static_cast<int>(std::floor(x)); }
+
+  void add(int y, int begin, int end)
+  {
+    auto& of_row = m_spans[y];
+    if (!of_row.empty() && begin <= of_row.back()[1] && end >= of_row.back()[0]) // faces come side by side
+    {
+      of_row.back() = {std::min(begin, of_row.back()[0]), std::max(end, of_row.back()[1])};
+    }
+    else { of_row.push_back({begin, end}); }
+  }
+
+  std::vector<std::vector<std::array<int, 2>>> m_spans; // of each row
+};
+
 } // namespace
 
 Chart_cells cells_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at)
 {
-  constexpr double rounding = 1e-6; // of what is placed later
-  const auto cell = [](double x) { return static_cast<int>(std::floor(x)); };
-  std::vector<std::vector<std::array<int, 2>>> spans;
-  Chart_cells cells;
-  for (const auto& corners : triangles)
+  Touched_cells cells;
+  for (const auto& t : triangles) { cells.touch({at[t[0]], at[t[1]], at[t[2]]}); }
+  return cells.find();
+}
+
+std::vector<std::array<Index, 2>> border_of(const std::vector<std::array<Index, 3>>& triangles,
+                                            const std::vector<Plane_point>& at)
+{
+  bool turns_left = false, turns_right = false;
+  std::vector<std::array<Index, 3>> sides; // the lower end, the higher end, and whether it goes down
+  for (const auto& t : triangles)
   {
-    const std::array<Plane_point, 3> t{at[corners[0]], at[corners[1]], at[corners[2]]};
-    const auto [low, high] = std::minmax({t[0][1], t[1][1], t[2][1]});
-    const int last = cell(high + rounding);
-    if (last >= static_cast<int>(spans.size())) { spans.resize(last + 1); }
-    for (int y = std::max(cell(low - rounding), 0); y <= last; ++y)
+    const int turn = orientation_of(at[t[0]], at[t[1]], at[t[2]]);
+    turns_left = turns_left || turn > 0;
+    turns_right = turns_right || turn < 0;
+    for (std::size_t k = 0; k < 3; ++k)
     {
-      const auto [left, right] = span_in_band(t, y);
-      if (!(left <= right)) { continue; }
-      const std::array<int, 2> span{std::max(cell(left - rounding), 0), cell(right + rounding) + 1};
-      auto& of_row = spans[y];
-      if (!of_row.empty() && span[0] <= of_row.back()[1] && span[1] >= of_row.back()[0]) // faces come side by side
-      {
-        of_row.back() = {std::min(span[0], of_row.back()[0]), std::max(span[1], of_row.back()[1])};
-      }
-      else { of_row.push_back(span); }
+      const Index a = t[k], b = t[(k + 1) % 3];
+      sides.push_back({std::min(a, b), std::max(a, b), a > b});
     }
   }
-  for (int y = 0; y < static_cast<int>(spans.size()); ++y)
+  std::vector<std::array<Index, 2>> border;
+  if (turns_left && turns_right) { return border; }
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last)
   {
-    std::sort(spans[y].begin(), spans[y].end());
-    for (const auto& [begin, end] : spans[y]) { add_run(cells, {y, begin, end}); }
+    int up = 0; // how many more go up
+    for (; last < sides.size() && sides[last][0] == sides[first][0] && sides[last][1] == sides[first][1]; ++last)
+    {
+      up += sides[last][2] == 0 ? 1 : -1;
+    }
+    const std::array<Index, 2> upwards{sides[first][0], sides[first][1]}, downwards{upwards[1], upwards[0]};
+    border.insert(border.end(), static_cast<std::size_t>(std::abs(up)), up > 0 ? upwards : downwards);
   }
-  return cells;
+  return border;
+}
+
+Chart_cells cells_within(const std::vector<std::array<Index, 2>>& border, const std::vector<Plane_point>& at)
+{
+  Touched_cells cells;
+  for (const auto& [a, b] : border) { cells.touch({at[a], at[b], at[b]}); }
+  // cells that the border does not touch are inside if their middles are
+  std::vector<std::vector<std::pair<double, int>>> crossings(cells.rows()); // where the border goes up, or down
+  for (const auto& [v, w] : border)
+  {
+    const Plane_point &a = at[v], &b = at[w], &low = a[1] < b[1] ? a : b, &high = a[1] < b[1] ? b : a;
+    for (int y = std::max(static_cast<int>(std::ceil(low[1] - 0.5)), 0); y + 0.5 < high[1]; ++y)
+    {
+      const double x = a[0] + (y + 0.5 - a[1]) / (b[1] - a[1]) * (b[0] - a[0]);
+      crossings[y].emplace_back(x, a[1] < b[1] ? 1 : -1);
+    }
+  }
+  for (int y = 0; y < cells.rows(); ++y)
+  {
+    std::sort(crossings[y].begin(), crossings[y].end());
+    int around = 0;
+    for (std::size_t i = 0; i + 1 < crossings[y].size(); ++i)
+    {
+      around += crossings[y][i].second;
+      if (around != 0) { cells.fill(y, crossings[y][i].first, crossings[y][i + 1].first); }
+    }
+  }
+  return cells.find();
 }
 
 Chart_cells coarsened(const Chart_cells& cells, const Atlas::Place& place, int margin, int factor)
@@ -109,6 +196,8 @@ std::optional<Atlas::Place> Atlas::find_place(const Chart_cells& cells, const st
     while ((2 << level) <= run.end - run.begin) { ++level; }
     spans.push_back({run.row, run.begin, run.end, level});
   }
+  // long ones are in the way of most, and so first
+  std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.end - a.begin > b.end - b.begin; });
   // what is wide is in the way first
   std::stable_sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.level > b.level; });
   const int none = std::numeric_limits<int>::max();

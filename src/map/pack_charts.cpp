@@ -62,6 +62,7 @@ public:
       const double image = covered_area(charts[i]);
       if (image > 0 && charts[i].area > 0) { m_scale[i] = std::sqrt(charts[i].area / image); }
       if (m_may_turn[i]) { m_base[i] = longer_side_of_smallest_rectangle(charts[i].at); }
+      m_border.push_back(border_of(*charts[i].triangles, charts[i].at));
       m_area += m_upwards * m_scale[i] * m_scale[i] * image;
     }
     measure();
@@ -167,11 +168,7 @@ private:
       for (const Plane_point& d : directions(i))
       {
         const auto [at, is_new] = known.try_emplace({static_cast<double>(i), d[0], d[1]}); // all fit into it
-        if (is_new)
-        {
-          at->second =
-            cells_of(*m_charts[i].triangles, turn(m_charts[i].at, d, scales(m_unit / coarser * m_scale[i])).at);
-        }
+        if (is_new) { at->second = cells(i, turn(m_charts[i].at, d, scales(m_unit / coarser * m_scale[i])).at); }
         const auto place = atlas.find_place(at->second, best, *best_cells);
         if (!place) { continue; }
         best = place;
@@ -212,6 +209,12 @@ private:
   {
     const bool is_square = m_options.resolution[0] == m_options.resolution[1];
     return is_square ? std::acos(-1.) / 2 : std::acos(-1.);
+  }
+
+  // The cells that a chart touches whose points are somewhere.
+  Chart_cells cells(std::size_t chart, const std::vector<Plane_point>& at) const
+  {
+    return m_border[chart].empty() ? cells_of(*m_charts[chart].triangles, at) : cells_within(m_border[chart], at);
   }
 
   // Finds how many cells a unit has if charts fill a part of the square.
@@ -343,7 +346,7 @@ private:
         in_cells.push_back({std::min(fine * p[0], last), std::min(fine * p[1], last)});
       }
       if (squares.empty()) { squares.emplace_back(fine, gap); }
-      take(cells_of(*m_charts[i].triangles, in_cells), {0, 0, fine}, gap, squares.front());
+      take(cells(i, in_cells), {0, 0, fine}, gap, squares.front());
     }
   }
 
@@ -407,7 +410,7 @@ private:
     {
       Turned_chart turned = turn(m_charts[chart].at, d, scales(unit));
       if (!fits(turned.extent, atlas)) { continue; }
-      Chart_cells of_chart = cells_of(*m_charts[chart].triangles, turned.at);
+      Chart_cells of_chart = cells(chart, turned.at);
       const auto place = atlas.find_place(of_chart, best.place, best.cells);
       if (place) { best = {d, place, std::move(of_chart), std::move(turned.at)}; }
     }
@@ -443,15 +446,16 @@ private:
   const std::vector<Chart>& m_charts;
   const std::vector<char> m_may_turn;
   const Pack_options m_options;
-  const double m_upwards;                // a unit upwards, in units to the right, where the texture is a square
-  std::vector<double> m_scale;           // of each chart, to the area that it has
-  std::vector<Plane_point> m_base;       // the direction of the longer side of the smallest rectangle around it
-  std::vector<double> m_size;            // of a rectangle around each chart
-  std::vector<std::size_t> m_order;      // from the largest to the smallest
-  double m_turn = 0;                     // of the first chart; 0: as is best
-  std::vector<Plane_point> m_directions; // of all charts, where they are known
-  double m_area = 0, m_longest = 0;      // of all charts; the longest side of a rectangle
-  double m_unit = 1;                     // in cells
+  const double m_upwards;          // a unit upwards, in units to the right, where the texture is a square
+  std::vector<double> m_scale;     // of each chart, to the area that it has
+  std::vector<Plane_point> m_base; // the direction of the longer side of the smallest rectangle around it
+  std::vector<std::vector<std::array<Index, 2>>> m_border; // of each chart; empty if it has none that says all
+  std::vector<double> m_size;                              // of a rectangle around each chart
+  std::vector<std::size_t> m_order;                        // from the largest to the smallest
+  double m_turn = 0;                                       // of the first chart; 0: as is best
+  std::vector<Plane_point> m_directions;                   // of all charts, where they are known
+  double m_area = 0, m_longest = 0;                        // of all charts; the longest side of a rectangle
+  double m_unit = 1;                                       // in cells
 };
 
 } // namespace

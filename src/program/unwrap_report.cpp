@@ -93,8 +93,8 @@ std::string count_of(std::size_t count, const char* one, const char* more)
 }
 
 // What a person should know of the maps and the geometry image.
-std::vector<std::string> notes_of(const std::vector<Unwrapping>& unwrapped, const std::vector<std::string>& warnings,
-                                  const Json& report)
+std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::vector<Unwrapping>& unwrapped,
+                                  const std::vector<std::string>& warnings, const Json& report)
 {
   std::vector<std::string> notes;
   for (std::size_t i = 0; i < unwrapped.size(); ++i)
@@ -122,6 +122,16 @@ std::vector<std::string> notes_of(const std::vector<Unwrapping>& unwrapped, cons
   {
     notes.push_back("note: read in single precision, the coordinates leave " + count_of(flipped, "face", "faces")
                     + " without area, or turned over");
+  }
+  constexpr double little = 0.3;
+  const double filled = report["texture"]["coverage"];
+  if (arguments.charts == 1 && arguments.meshes.size() == 1 && !(arguments.packing.density > 0)
+      && arguments.pins.empty() && arguments.geometry_image == 0 && filled < little)
+  {
+    std::ostringstream note;
+    note << "note: " << filled
+         << " of the texture is filled, since charts are long or branched; --charts auto divides them";
+    notes.push_back(note.str());
   }
   const std::size_t near = report["texture"]["near_themselves"];
   if (near > 0)
@@ -258,7 +268,7 @@ std::string caption_of(const Unwrap_run& run)
 
 Last_words words_of(const Unwrap_run& run)
 {
-  std::vector<std::string> notes = notes_of(run.unwrapped, run.warnings, run.report);
+  std::vector<std::string> notes = notes_of(run.arguments, run.unwrapped, run.warnings, run.report);
   if (has_given_seams(run.arguments)) { notes.push_back(describe_completion(run.options, run.result.cuts)); }
   return {run.loaded.examination.repairs, notes,
           caption_of(run) + (run.result.verification ? "; no face is turned over" : "")

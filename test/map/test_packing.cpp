@@ -359,6 +359,52 @@ BOOST_AUTO_TEST_CASE(an_atlas_finds_the_best_place_there_is)
 }
 
 // Every cell that a triangle has a point in, and of a thin one no other than those beside it.
+// The border of a chart says the same as all its triangles: with holes, overlapping itself, mirrored, with a triangle
+// without area that sticks out.
+BOOST_AUTO_TEST_CASE(cells_within_a_border_are_those_of_its_triangles)
+{
+  const auto ring = [](int x, int y) { return x < 2 || y < 2 || x > 6 || y > 4; };
+  const auto comb = [](int x, int y) { return y < 1 || x % 2 == 0; };
+  for (const auto& is_filled : {std::function<bool(int, int)>(ring), std::function<bool(int, int)>(comb)})
+    for (int i = 0; i < 40; ++i)
+    {
+      Pixels shape(9, 7, is_filled);
+      const double angle = 0.31 * i, size = 0.3 + 0.21 * i;
+      for (Plane_point& p : shape.at)
+      {
+        const double bent = i % 4 == 3 ? 0.6 * p[0] : 0; // rolled up, over itself
+        p = {size * (std::cos(angle + bent) * (p[0] + 3) - std::sin(angle + bent) * p[1]),
+             size * (std::sin(angle + bent) * (p[0] + 3) + std::cos(angle + bent) * p[1])};
+        if (i % 2 == 1) { std::swap(p[0], p[1]); }
+      }
+      Plane_point low = shape.at.front();
+      for (const Plane_point& p : shape.at) { low = {std::min(low[0], p[0]), std::min(low[1], p[1])}; }
+      for (Plane_point& p : shape.at) { p = p - low; }
+      if (i % 5 == 0)
+      {
+        const auto n = static_cast<Index>(shape.at.size());
+        shape.at.push_back({30.5, 2.25});
+        shape.at.push_back({31.5, 2.25});
+        shape.at.push_back({33.5, 2.25});
+        shape.triangles.push_back({n, n + 1, n + 2});
+      }
+      const auto border = internal::border_of(shape.triangles, shape.at);
+      BOOST_TEST_CONTEXT(i)
+      {
+        if (border.empty()) // rolled up too tightly: some are turned over
+        {
+          BOOST_TEST(i % 4 == 3);
+          continue;
+        }
+        BOOST_TEST((cells_in(internal::cells_within(border, shape.at), 0, 0)
+                    == cells_in(internal::cells_of(shape.triangles, shape.at), 0, 0)));
+      }
+    }
+  const std::vector<Plane_point> kite{{0, 0}, {1, 0}, {1, 1}, {0.5, 0.2}};
+  BOOST_TEST(internal::border_of({{0, 1, 2}, {0, 2, 3}}, kite).empty() == true); // one is turned over
+  BOOST_TEST(internal::border_of({{0, 1, 2}}, kite).size() == 3u);
+}
+
 BOOST_AUTO_TEST_CASE(cells_hold_all_that_a_triangle_touches)
 {
   std::mt19937 random(3);

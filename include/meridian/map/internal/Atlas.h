@@ -27,6 +27,14 @@ struct Chart_cells
 // The cells that triangles touch. `at`: the points, in cells, none below 0.
 Chart_cells cells_of(const std::vector<std::array<Index, 3>>& triangles, const std::vector<Plane_point>& at);
 
+// The sides of the border of a chart, each as often as more triangles are on its left than on its right. Empty if
+// triangles are turned either way, so that those of one kind may hide those of the other.
+std::vector<std::array<Index, 2>> border_of(const std::vector<std::array<Index, 3>>& triangles,
+                                            const std::vector<Plane_point>& at);
+
+// The same cells as those that triangles touch, from their border: those that it touches, and those inside.
+Chart_cells cells_within(const std::vector<std::array<Index, 2>>& border, const std::vector<Plane_point>& at);
+
 // The cells of a square that are taken, or nearer to a taken one than is allowed.
 class Atlas
 {
