@@ -72,21 +72,23 @@ public:
   }
 
 private:
+  struct Box
+  {
+    Plane_point low, high;
+    std::size_t side; // the place of its first vertex in the loop
+  };
+
   const Plane_point& at(std::size_t place) const { return m_at[m_loop[place]]; }
   std::size_t number_of_sides() const { return m_loop.size() - 1; }
 
-  // Calls `visit` for each two sides whose boxes, with a margin around them, meet: a sweep to the right, which is
-  // faster here than a tree of boxes, since sides are short.
+  // Calls `visit` for each two sides whose boxes, with a margin around them, meet: a sweep to the right in each of some
+  // strips, which is faster here than a tree of boxes, since sides are short.
   template <class Visit>
   void for_each_close_pair(const std::vector<Plane_point>& points, double margin, const Visit& visit) const
   {
-    struct Box
-    {
-      Plane_point low, high;
-      std::size_t side;
-    };
+    const std::size_t n = number_of_sides();
     std::vector<Box> boxes;
-    for (std::size_t i = 0; i < number_of_sides(); ++i)
+    for (std::size_t i = 0; i < n; ++i)
     {
       const Plane_point &a = points[m_loop[i]], &b = points[m_loop[i + 1]];
       boxes.push_back({{std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin},
@@ -95,14 +97,28 @@ private:
     }
     std::sort(boxes.begin(), boxes.end(),
               [](const Box& a, const Box& b) { return std::tie(a.low, a.side) < std::tie(b.low, b.side); });
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-      for (std::size_t j = i + 1; j < boxes.size() && boxes[j].low[0] <= boxes[i].high[0]; ++j)
-      {
-        if (boxes[i].low[1] <= boxes[j].high[1] && boxes[j].low[1] <= boxes[i].high[1])
+    double low = boxes.front().low[1], high = boxes.front().high[1];
+    for (const Box& b : boxes)
+    {
+      low = std::min(low, b.low[1]);
+      high = std::max(high, b.high[1]);
+    }
+    const double count = std::ceil(std::sqrt(static_cast<double>(n)));
+    const auto strip_of = [&](double y) {
+      return static_cast<std::size_t>(high > low ? std::min((y - low) / (high - low) * count, count - 1) : 0);
+    };
+    std::vector<std::vector<std::size_t>> strips(static_cast<std::size_t>(count)); // of boxes, from left to right
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = strip_of(boxes[i].low[1]); k <= strip_of(boxes[i].high[1]); ++k) { strips[k].push_back(i); }
+    for (std::size_t k = 0; k < strips.size(); ++k)
+      for (std::size_t i = 0; i < strips[k].size(); ++i)
+        for (std::size_t j = i + 1; j < strips[k].size(); ++j)
         {
-          visit(boxes[i].side, boxes[j].side);
+          const Box &a = boxes[strips[k][i]], &b = boxes[strips[k][j]];
+          if (b.low[0] > a.high[0]) { break; }
+          const double bottom = std::max(a.low[1], b.low[1]);
+          if (bottom <= std::min(a.high[1], b.high[1]) && strip_of(bottom) == k) { visit(a.side, b.side); }
         }
-      }
   }
 
   // Notes how vertices of the border should move. Returns how many sides are too near to others.

@@ -34,26 +34,46 @@ struct Opened_chart
   double more; // the square of its L2 stretch, times its area, than it was
 };
 
+// Opens slits of a chart as wide as it can for a tenth of its distortion, or so. Returns whether there are any.
+bool open_slits_of(const Triangle_surface& disc, const Chart& chart, double gap, Opened_chart& opened)
+{
+  constexpr double part = 0.1, little = 1e-3; // of the excess of the square of the stretch, and besides
+  constexpr int steps = 3;                    // the rest of the chart gives way
+  const double was = square_of_stretch(disc, chart.at), most = was + part * (was - 1) + little;
+  for (double narrower = 1; narrower > 0.2;)
+  {
+    opened.at = chart.at;
+    if (open_slits(disc, opened.at, narrower * gap).before == 0) { return false; }
+    minimize_distortion(disc, opened.at, {Distortion_energy::SYMMETRIC_DIRICHLET, steps, 1e-3, false});
+    const double is = square_of_stretch(disc, opened.at);
+    opened.more = chart.area * (is - was);
+    if (is <= most) { return true; }
+    narrower /= is - was > 4 * (most - was) ? 4 : 2;
+  }
+  return false;
+}
+
 // Opens slits of the charts of a surface, of so many as leave its L2 stretch at what it may be, if it is. `texels`: how
 // long each chart is when it is packed, in texels, of 1.
 void open_slits_of(const std::vector<Surface_piece>& pieces, Chart* charts, const std::vector<double>& texels,
                    double padding, double most_stretch)
 {
+  constexpr double more = 1.05; // what was opened may be packed a little smaller
   std::vector<Opened_chart> all;
   double left = 0; // of the square of the stretch, times the area
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     const Triangle_surface& disc = pieces[i].surface;
-    constexpr double more = 1.05; // what was opened may be packed a little smaller
-    const double gap = more * padding / texels[i],
-                 was = most_stretch > 0 ? charts[i].area * square_of_stretch(disc, charts[i].at) : 0;
-    left += charts[i].area * most_stretch * most_stretch - was;
-    Opened_chart opened{i, charts[i].at, 0};
-    if (!(gap > 0) || charts[i].is_fixed || open_slits(disc, opened.at, gap).before == 0) { continue; }
-    constexpr int steps = 3; // the rest of the chart gives way
-    minimize_distortion(disc, opened.at, {Distortion_energy::SYMMETRIC_DIRICHLET, steps, 1e-3, false});
-    opened.more = most_stretch > 0 ? charts[i].area * square_of_stretch(disc, opened.at) - was : 0;
-    all.push_back(std::move(opened));
+    if (most_stretch > 0)
+    {
+      left += charts[i].area * (most_stretch * most_stretch - square_of_stretch(disc, charts[i].at));
+    }
+    const double gap = more * padding / texels[i];
+    Opened_chart opened{i, {}, 0};
+    if (gap > 0 && !charts[i].is_fixed && open_slits_of(disc, charts[i], gap, opened))
+    {
+      all.push_back(std::move(opened));
+    }
   }
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.more < b.more; });
   const bool has_limit = most_stretch > 0 && left >= 0;
