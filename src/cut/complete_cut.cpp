@@ -27,10 +27,6 @@
 
 namespace meridian {
 
-namespace internal {
-
-namespace {
-
 void check_seams(const Triangle_surface& root, const std::vector<Index>& seams)
 {
   check_surface(root);
@@ -42,6 +38,10 @@ void check_seams(const Triangle_surface& root, const std::vector<Index>& seams)
     throw Invalid_input_error("seams are halfedges inside the surface; " + std::to_string(*wrong) + " is none");
   }
 }
+
+namespace internal {
+
+namespace {
 
 // Completes a cut of pieces that may have handles.
 class Completion
@@ -96,7 +96,8 @@ private:
       if (m_kept_out.empty()) { flag_seam(s, find_short_tree_cotree_cut(piece.surface, bases, progress)); }
       else
       {
-        const std::vector<char> kept_out = kept_out_in(piece), inside = vertices_inside(piece.surface, kept_out);
+        const std::vector<char> kept_out = carry_kept_out(piece, m_pieces_of, m_kept_out),
+                                inside = vertices_inside(piece.surface, kept_out);
         flag_seam(s, find_short_tree_cotree_cut(piece.surface, bases, progress, longer_inside(piece.surface, kept_out),
                                                 [&](Index v) { return !inside[v]; }));
       }
@@ -109,14 +110,6 @@ private:
     for (auto& path : paths)
       for (Index& v : path) { v = vertex_of_whole(piece, m_pieces_of, m_opened, v); }
     add_curves(m_cut, Curve_kind::PATH, std::move(paths));
-  }
-
-  // Of each face of a piece.
-  std::vector<char> kept_out_in(const Surface_piece& piece) const
-  {
-    std::vector<char> kept_out;
-    for (Index f : piece.faces) { kept_out.push_back(m_kept_out[m_pieces_of.face_of[f]]); }
-    return kept_out;
   }
 
   // Edges inside what is kept out of are longer than all others together.
@@ -176,10 +169,11 @@ private:
     const auto seam = std::find(s.seam.begin(), s.seam.end(), 1) - s.seam.begin();
     const Closed_model g = make_closed_model(s);
     const std::vector<double> away = edge_distances(g, edge_lengths(s, g), g.node[s.source(static_cast<Index>(seam))]);
-    Index farthest = 0;
+    const std::vector<char> inside = vertices_inside(s, carry_kept_out(s, m_kept_out));
+    Index farthest = s.source(static_cast<Index>(seam));
     for (Index v = 0; v < s.number_of_vertices(); ++v)
     {
-      if (away[g.node[v]] > away[g.node[farthest]]) { farthest = v; }
+      if (!inside[v] && away[g.node[v]] > away[g.node[farthest]]) { farthest = v; }
     }
     return farthest;
   }
@@ -189,15 +183,17 @@ private:
   {
     const Refined_surface walled = wall_off(m_cut.surface, m_kept_out);
     const Opened_surface opened = open_along(walled);
-    for (const Surface_piece& piece : pieces_of(surface_of(walled, opened)))
-    {
-      if (m_kept_out[piece.faces.front()]) { continue; }
-      const Closed_model g = make_closed_model(piece.surface);
-      const auto [from, to] = find_distant_nodes(piece.surface, g);
-      return {vertex_of_whole(piece, walled, opened, g.representative[from]),
-              vertex_of_whole(piece, walled, opened, g.representative[to])};
-    }
-    return {};
+    std::vector<Surface_piece> pieces = pieces_of(surface_of(walled, opened));
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(),
+                                [&](const Surface_piece& piece) { return m_kept_out[piece.faces.front()] != 0; }),
+                 pieces.end());
+    if (pieces.empty()) { return {}; }
+    const Surface_piece& piece = *std::max_element(
+      pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a.faces.size() < b.faces.size(); });
+    const Closed_model g = make_closed_model(piece.surface);
+    const auto [from, to] = find_distant_nodes(piece.surface, g);
+    return {vertex_of_whole(piece, walled, opened, g.representative[from]),
+            vertex_of_whole(piece, walled, opened, g.representative[to])};
   }
 
   const Triangle_surface& m_root;
@@ -217,7 +213,7 @@ private:
 
 Cut complete_cut(const Triangle_surface& root, const std::vector<Index>& seams, const Completion_options& options)
 {
-  internal::check_seams(root, seams);
+  check_seams(root, seams);
   Cut cut;
   cut.tightening = options.on_edges ? Tightening::NONE : Tightening::CURVES;
   cut.boundary_loops = static_cast<int>(boundary_loops(root).size());

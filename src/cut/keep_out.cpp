@@ -5,7 +5,6 @@
 #include <meridian/cut/edge_cuts.h>
 #include <meridian/surface/measures.h>
 #include <meridian/surface/open_along.h>
-#include <meridian/surface/pieces.h>
 
 #include <string>
 #include <utility>
@@ -79,6 +78,15 @@ std::vector<char> carry_kept_out(const Refined_surface& s, const std::vector<cha
   if (kept_out.empty()) { return carried; }
   carried.reserve(s.face_of.size());
   for (Index f : s.face_of) { carried.push_back(kept_out[f]); }
+  return carried;
+}
+
+std::vector<char> carry_kept_out(const Surface_piece& piece, const Refined_surface& s,
+                                 const std::vector<char>& kept_out)
+{
+  std::vector<char> carried;
+  if (kept_out.empty()) { return carried; }
+  for (Index f : piece.faces) { carried.push_back(kept_out[s.face_of[f]]); }
   return carried;
 }
 

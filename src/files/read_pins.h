@@ -6,6 +6,7 @@
 
 #include <meridian/base/vectors.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -161,14 +161,15 @@ Chart_cells cells_within(const std::vector<std::array<Index, 2>>& border, const 
   return cells.find();
 }
 
-Chart_cells coarsened(const Chart_cells& cells, const Atlas::Place& place, int margin, int factor)
+Chart_cells coarsened(const Chart_cells& cells, const Atlas::Place& place, const Cell_gap& margin, int factor)
 {
   std::vector<Chart_cells::Run> runs;
   for (const auto& run : cells.runs)
   {
-    const int low = std::max(place.y + run.row - margin, 0) / factor, high = (place.y + run.row + margin) / factor;
-    const int begin = std::max(place.x + run.begin - margin, 0) / factor,
-              end = (place.x + run.end - 1 + margin) / factor + 1;
+    const int low = std::max(place.y + run.row - margin.up, 0) / factor,
+              high = (place.y + run.row + margin.up) / factor;
+    const int begin = std::max(place.x + run.begin - margin.right, 0) / factor,
+              end = (place.x + run.end - 1 + margin.right) / factor + 1;
     for (int row = low; row <= high; ++row) { runs.push_back({row, begin, end}); }
   }
   std::sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) {
@@ -179,7 +180,7 @@ Chart_cells coarsened(const Chart_cells& cells, const Atlas::Place& place, int m
   return coarse;
 }
 
-Atlas::Atlas(int size, int gap)
+Atlas::Atlas(int size, const Cell_gap& gap)
   : m_size(size), m_gap(gap), m_words((size + bits - 1) / bits + 1), m_levels(1), m_rows(static_cast<std::size_t>(size))
 {
   while ((2 << (m_levels - 1)) <= size) { ++m_levels; }
@@ -196,8 +197,6 @@ std::optional<Atlas::Place> Atlas::find_place(const Chart_cells& cells, const st
     while ((2 << level) <= run.end - run.begin) { ++level; }
     spans.push_back({run.row, run.begin, run.end, level});
   }
-  // long ones are in the way of most, and so first
-  std::sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.end - a.begin > b.end - b.begin; });
   // what is wide is in the way first
   std::stable_sort(spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.level > b.level; });
   const int none = std::numeric_limits<int>::max();
@@ -271,17 +270,30 @@ void Atlas::take_row(Word* of_row, int begin, int end)
   of_row[last] |= below(end);
 }
 
+bool Atlas::is_free(const Chart_cells& cells) const
+{
+  return std::all_of(cells.runs.begin(), cells.runs.end(), [&](const Chart_cells::Run& run) {
+    for (int x = run.begin; x < run.end; ++x)
+    {
+      if ((word_at(0, run.row, x) & 1) != 0) { return false; }
+    }
+    return true;
+  });
+}
+
 void Atlas::take(const Chart_cells& cells, const Place& place)
 {
   for (const auto& run : cells.runs)
   {
-    const int begin = std::max(place.x + run.begin - m_gap, 0), end = std::min(place.x + run.end + m_gap, m_size);
-    for (int y = std::max(place.y + run.row - m_gap, 0); y <= std::min(place.y + run.row + m_gap, m_size - 1); ++y)
+    const int begin = std::max(place.x + run.begin - m_gap.right, 0),
+              end = std::min(place.x + run.end + m_gap.right, m_size);
+    for (int y = std::max(place.y + run.row - m_gap.up, 0); y <= std::min(place.y + run.row + m_gap.up, m_size - 1);
+         ++y)
     {
       take_row(row(0, y), begin, end);
     }
   }
-  for (int y = std::max(place.y - m_gap, 0); y < std::min(place.y + cells.height + m_gap, m_size); ++y)
+  for (int y = std::max(place.y - m_gap.up, 0); y < std::min(place.y + cells.height + m_gap.up, m_size); ++y)
   {
     update_levels(y);
   }

@@ -6,7 +6,6 @@
 #include <meridian/surface/shortest_ways.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -64,7 +63,7 @@ public:
         goal = static_cast<std::size_t>((1 - gain) * static_cast<double>(near));
         in_vain = 0;
       }
-      if (near == 0 || !push()) { break; }
+      if (near == 0 || i + 1 == rounds || !push()) { break; }
     }
     m_at = std::move(best);
     sides.after = least;

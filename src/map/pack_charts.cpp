@@ -103,9 +103,11 @@ private:
   double place_in_smallest_square(std::vector<std::vector<Plane_point>>& placed)
   {
     // the gap between charts is known once the square is
-    const int gap = std::max(gap_for(fine), 1);
+    const Cell_gap gap = least_gap();
     constexpr double least = 1e-9;
-    for (double hoped_for = 0.6; hoped_for > least;)
+    constexpr int patience = 6;
+    int tries = 0;
+    for (double hoped_for = 0.6; hoped_for > least; ++tries)
     {
       find_unit(hoped_for);
       placed = place_all(gap);
@@ -117,9 +119,10 @@ private:
       double size = 0;
       for (const auto& points : placed)
         for (const Plane_point& p : points) { size = std::max({size, p[0], p[1]}); }
-      if (gap_for(size) > gap)
+      const Cell_gap needed = gap_for(size);
+      if (needed.right > gap.right || needed.up > gap.up)
       {
-        hoped_for *= 0.98 * fine * fine / (size * size);
+        hoped_for *= (tries < patience ? 0.98 : 0.8) * fine * fine / (size * size);
         continue;
       }
       scale_down(placed, size);
@@ -160,7 +163,7 @@ private:
   int extent_on_few_cells(std::map<std::array<double, 3>, Chart_cells>& known, std::vector<Plane_point>& chosen) const
   {
     constexpr int few_cells = fine / coarser;
-    Atlas atlas(2 * few_cells, 1);
+    Atlas atlas(2 * few_cells, {1, 1});
     for (std::size_t i : m_order)
     {
       std::optional<Atlas::Place> best;
@@ -195,10 +198,17 @@ private:
     m_turn = range_of_directions() * tries / m_options.tries;
   }
 
-  int gap_for(double size) const
+  // The gap in a square of so many cells.
+  Cell_gap gap_for(double size) const
   {
-    const int least = std::min(m_options.resolution[0], m_options.resolution[1]);
-    return static_cast<int>(std::ceil(m_options.padding * size / least));
+    const auto cells = [&](int texels) { return static_cast<int>(std::ceil(m_options.padding * size / texels)); };
+    return {cells(m_options.resolution[0]), cells(m_options.resolution[1])};
+  }
+  // In the cells that charts are hoped to need, a gap that rounding cannot close.
+  Cell_gap least_gap() const
+  {
+    const Cell_gap gap = gap_for(fine);
+    return {std::max(gap.right, 1), std::max(gap.up, 1)};
   }
 
   // What a unit is to the right and upwards, in a texture that is drawn as a square.
@@ -264,12 +274,12 @@ private:
   // A square that charts are put into, and the same on a coarser grid.
   struct Square
   {
-    Square(int size, int gap) : atlas(size, gap), coarse(size / coarser, 0) {}
+    Square(int size, const Cell_gap& gap) : atlas(size, gap), coarse(size / coarser, {0, 0}) {}
     Atlas atlas, coarse;
   };
 
   // Puts a chart into a square, if it has a place for it.
-  std::vector<Plane_point> place(std::size_t chart, int gap, Square& square) const
+  std::vector<Plane_point> place(std::size_t chart, const Cell_gap& gap, Square& square) const
   {
     const std::vector<Plane_point> all = directions(chart);
     const double unit = m_unit * m_scale[chart];
@@ -289,7 +299,7 @@ private:
     return std::move(best.at);
   }
 
-  static void take(const Chart_cells& cells, const Atlas::Place& place, int gap, Square& square)
+  static void take(const Chart_cells& cells, const Atlas::Place& place, const Cell_gap& gap, Square& square)
   {
     square.atlas.take(cells, place);
     square.coarse.take(coarsened(cells, place, gap, coarser), {0, 0, (square.atlas.extent() + coarser - 1) / coarser});
@@ -302,7 +312,7 @@ private:
   }
 
   // Nothing if there is no place for one.
-  std::vector<std::vector<Plane_point>> place_all(int gap) const
+  std::vector<std::vector<Plane_point>> place_all(const Cell_gap& gap) const
   {
     Square square(2 * fine, gap);
     std::vector<std::vector<Plane_point>> placed(m_charts.size());
@@ -332,9 +342,23 @@ private:
     return m_options.resolution[0] * std::sqrt(image / m_upwards / area);
   }
 
-  // Charts that stay where they are take their places in the first square.
-  void take_fixed(int gap, std::vector<Square>& squares, std::vector<std::vector<Plane_point>>& placed) const
+  // The cells that have some of a chart on either side.
+  static Chart_cells shrunk(Chart_cells cells)
   {
+    std::vector<Chart_cells::Run> inside;
+    for (const Chart_cells::Run& run : cells.runs)
+    {
+      if (run.end - run.begin > 2) { inside.push_back({run.row, run.begin + 1, run.end - 1}); }
+    }
+    cells.runs = std::move(inside);
+    return cells;
+  }
+
+  // Charts that stay where they are take their places in the first square.
+  void take_fixed(const Cell_gap& gap, std::vector<Square>& squares,
+                  std::vector<std::vector<Plane_point>>& placed) const
+  {
+    Atlas taken(fine, {0, 0});
     for (std::size_t i = 0; i < m_charts.size(); ++i)
     {
       if (!m_charts[i].is_fixed) { continue; }
@@ -346,6 +370,12 @@ private:
         in_cells.push_back({std::min(fine * p[0], last), std::min(fine * p[1], last)});
       }
       if (squares.empty()) { squares.emplace_back(fine, gap); }
+      const Chart_cells of_chart = shrunk(cells(i, in_cells));
+      if (!taken.is_free(of_chart))
+      {
+        throw Invalid_input_error("charts that are pinned overlap each other; pins farther apart would help");
+      }
+      taken.take(of_chart, {0, 0, fine});
       take(cells(i, in_cells), {0, 0, fine}, gap, squares.front());
     }
   }
@@ -354,7 +384,7 @@ private:
   std::vector<std::vector<Plane_point>> place_at_density()
   {
     m_unit = density() * fine / m_options.resolution[0];
-    const int gap = std::max(gap_for(fine), 1);
+    const Cell_gap gap = least_gap();
     std::vector<Square> squares;
     std::vector<std::vector<Plane_point>> placed(m_charts.size());
     take_fixed(gap, squares, placed);

@@ -5,7 +5,6 @@
 #include <meridian/map/planar_map.h>
 
 #include <algorithm>
-#include <cmath>
 #include <complex>
 #include <limits>
 #include <optional>
@@ -87,11 +86,22 @@ double pin_map(const Triangle_surface& disc, std::vector<Plane_point>& at, const
   options.pins = pins;
   options.stiffness = 1;
   std::optional<internal::Distortion_minimizer> minimizer;
-  for (int i = 0; i < rounds && !internal::snap(disc, at, pins); ++i, options.stiffness *= stiffer)
+  double left = internal::farthest(at, pins);
+  for (int i = 0; !internal::snap(disc, at, pins) && i < rounds; ++i, options.stiffness *= stiffer)
   {
+    const std::vector<Plane_point> before = at;
     if (i < scaled) { minimizer.emplace(disc, at, options); } // for the size that the image has now
     else { minimizer->stiffen(stiffer); }
     for (int k = 0; k < steps && minimizer->step() > options.least_gain; ++k) {}
+    if (!is_one_to_one(disc, at)) // springs that contradict each other squeeze to where rounding decides
+    {
+      at = before;
+      break;
+    }
+    constexpr double little = 0.99;
+    const double now = internal::farthest(at, pins);
+    if (i >= scaled && now > little * left) { break; }
+    left = now;
   }
   return internal::farthest(at, pins);
 }

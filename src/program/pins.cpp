@@ -7,6 +7,7 @@
 #include <meridian/surface/examine_surface.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace meridian {
@@ -41,6 +42,11 @@ void keep_out_of_pins(Unwrap_run& run)
     const Triangle_surface& s = run.loaded.examination.components[i].surface;
     s.for_each_outgoing(v, [&](Index h) { run.options[i].keep_out.push_back(s.face(h)); });
   });
+  for (Unwrap_options& o : run.options)
+  {
+    std::sort(o.keep_out.begin(), o.keep_out.end());
+    o.keep_out.erase(std::unique(o.keep_out.begin(), o.keep_out.end()), o.keep_out.end());
+  }
 }
 
 std::vector<Texture_pin> texture_pins(const std::vector<Unwrap_run>& runs)
@@ -60,10 +66,11 @@ std::vector<Texture_pin> texture_pins(const std::vector<Unwrap_run>& runs)
 std::vector<std::string> missed_pins(const Unwrap_run& run)
 {
   std::vector<std::string> missed;
-  std::size_t pinned = 0, away = 0;
+  std::size_t away = 0;
+  std::set<Index> pinned;
   double farthest = 0;
   for_each_pin(run, [&](std::size_t i, Index v, const files::Pin& pin) {
-    ++pinned;
+    pinned.insert(pin.vertex);
     if (is_doubled(run.result.cuts[i], v))
     {
       missed.push_back("vertex " + std::to_string(pin.vertex) + " lies on a seam, and has no one place");
@@ -82,9 +89,9 @@ std::vector<std::string> missed_pins(const Unwrap_run& run)
          << farthest << " texels; fewer pins, or places like those on the surface, would help";
     missed.push_back(line.str());
   }
-  if (pinned < run.pins.size())
+  if (pinned.size() < run.pins.size())
   {
-    missed.push_back(std::to_string(run.pins.size() - pinned) + " pinned vertices have no faces");
+    missed.push_back(std::to_string(run.pins.size() - pinned.size()) + " pinned vertices have no faces");
   }
   return missed;
 }

@@ -182,8 +182,8 @@ std::vector<std::string> missed_of(const Unwrap_arguments& arguments, const std:
     if (arguments.is_symmetric && !u.is_symmetric)
     {
       all.push_back("component " + std::to_string(i)
-                    + ": no plane is found in which it is its own mirror image, triangle by triangle and with edges "
-                      "along it; it is unwrapped as it is without --symmetry");
+                    + ": its charts are no mirror images: no plane is found in which it is its own mirror image, "
+                      "triangle by triangle and with edges along it, or maps that are made alike would overlap");
     }
     if (arguments.charts > 1 && u.charts < static_cast<std::size_t>(arguments.charts))
     {

@@ -107,26 +107,23 @@ bool match_halfedges(const Triangle_surface& s, Mirror& m)
   return !m.line.empty();
 }
 
-// Whether the line parts the surface into halves that are each other's images.
+// Whether the line parts the surface into halves that are each other's images. It joins faces to their images alone, so
+// one half is all that can be reached on one side.
 bool parts_surface(const Triangle_surface& s, const Mirror& m)
 {
   std::vector<char> is_line(s.number_of_halfedges(), 0), is_here(s.number_of_faces(), 0);
   for (Index h : m.line) { is_line[h] = is_line[s.opposite[h]] = 1; }
-  for (Index first = 0; first < s.number_of_faces(); ++first)
+  std::vector<Index> stack{0};
+  is_here[0] = 1;
+  while (!stack.empty())
   {
-    if (is_here[first] || is_here[m.face(first)]) { continue; }
-    std::vector<Index> stack{first};
-    is_here[first] = 1;
-    while (!stack.empty())
+    const Index f = stack.back();
+    stack.pop_back();
+    if (is_here[m.face(f)]) { return false; }
+    for (Index h = 3 * f; h < 3 * f + 3; ++h)
     {
-      const Index f = stack.back();
-      stack.pop_back();
-      if (is_here[m.face(f)]) { return false; }
-      for (Index h = 3 * f; h < 3 * f + 3; ++h)
-      {
-        const Index o = s.opposite[h];
-        if (o >= 0 && !is_line[h] && !std::exchange(is_here[s.face(o)], 1)) { stack.push_back(s.face(o)); }
-      }
+      const Index o = s.opposite[h];
+      if (o >= 0 && !is_line[h] && !std::exchange(is_here[s.face(o)], 1)) { stack.push_back(s.face(o)); }
     }
   }
   return true;

@@ -87,7 +87,6 @@ Chart_divider::Chart_divider(const Triangle_surface& root, const Unwrap_options&
   forbid(options.family != 1 || options.stretch_weight > 0,
          "cuts are compared, and links varied, for one chart; charts = 1, and no seams");
   forbid(!options.map.polygon.empty(), "a polygon for the border is for one chart; charts = 1, and no seams");
-  check_wishes(options);
   if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
 }
 
@@ -288,7 +287,7 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
       return carry_to_whole(chart.piece, m_result.cut.surface, m_result.cut.opened, std::move(a));
     };
     const auto is_good = [&](const Surface_curve& a) { return has_room(carry_over(a)); };
-    const std::vector<char> kept_out = kept_out_in(chart);
+    const std::vector<char> kept_out = carry_kept_out(chart.piece, m_result.cut.surface, m_kept_out);
     const auto find = [&] {
       return find_arc(chart.piece.surface, chart.apart, m_options.cut.on_edges, is_good, kept_out);
     };
@@ -310,14 +309,6 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   open_cut(m_result.cut);
   update_charts(has_maps ? draw_curves(before, at, m_result.cut, done.parent) : std::vector<Plane_point>());
   return true;
-}
-
-std::vector<char> Chart_divider::kept_out_in(const Chart& chart) const
-{
-  std::vector<char> kept_out;
-  if (m_kept_out.empty()) { return kept_out; }
-  for (Index f : chart.piece.faces) { kept_out.push_back(m_kept_out[m_result.cut.surface.face_of[f]]); }
-  return kept_out;
 }
 
 bool Chart_divider::has_room(const Surface_curve& arc) const

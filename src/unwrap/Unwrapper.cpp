@@ -28,6 +28,13 @@ namespace meridian {
 
 namespace internal {
 
+Unwrapper::Unwrapper(const Triangle_surface& root, const Unwrap_options& options)
+  : m_root(root), m_options(options), m_kept_out(kept_out_of(root, options)), m_area(area(root))
+{
+  // shorter seams stretch the map of a lattice by up to a tenth more
+  if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
+}
+
 Unwrapping Unwrapper::run()
 {
   if (m_options.family == 1) { cut_and_map(); }

@@ -47,7 +47,9 @@ Cut first_cut(const Triangle_surface& root, const std::vector<Index>& seams, con
 
 std::vector<char> kept_out_of(const Triangle_surface& root, const Unwrap_options& options)
 {
+  check_wishes(options);
   if (options.keep_out.empty()) { return {}; }
+  check_seams(root, options.seams);
   Refined_surface s(root);
   flag_seam(s, options.seams);
   return open_kept_out(surface_of(s, open_along(s)), mark_faces(root, options.keep_out));

@@ -44,7 +44,12 @@ bool open_slits_of(const Triangle_surface& disc, const Chart& chart, double gap,
   {
     opened.at = chart.at;
     if (open_slits(disc, opened.at, narrower * gap).before == 0) { return false; }
-    minimize_distortion(disc, opened.at, {Distortion_energy::SYMMETRIC_DIRICHLET, steps, 1e-3, false});
+    try
+    {
+      minimize_distortion(disc, opened.at, {Distortion_energy::SYMMETRIC_DIRICHLET, steps, 1e-3, false});
+    }
+    catch (const Solver_error&)
+    {} // then nothing gives way
     const double is = square_of_stretch(disc, opened.at);
     opened.more = chart.area * (is - was);
     if (is <= most) { return true; }
@@ -93,22 +98,24 @@ std::vector<Chart> packed_once(std::vector<Chart> charts, Pack_options options)
   return charts;
 }
 
-// The same of all surfaces, in texels of the size that they are about to have. Charts that are fixed stay.
+// The same of all surfaces, in texels of the size that they are about to have. Charts that are fixed stay, and so do
+// those that are mirror images, or not one-to-one.
 void open_slits_of_all(std::vector<Chart>& charts, const std::vector<std::vector<Surface_piece>>& pieces,
-                       const Pack_options& options, double most_stretch)
+                       const std::vector<Unwrapping>& unwrapped, const Pack_options& options, double most_stretch)
 {
   const std::vector<Chart> packed = packed_once(charts, options);
   const double all = static_cast<double>(options.resolution[0]) * options.resolution[1];
   std::size_t first = 0;
-  for (const std::vector<Surface_piece>& of_surface : pieces)
+  for (std::size_t k = 0; k < pieces.size(); ++k)
   {
     std::vector<double> texels;
-    for (std::size_t i = first; i < first + of_surface.size(); ++i)
+    for (std::size_t i = first; i < first + pieces[k].size(); ++i)
     {
       texels.push_back(std::sqrt(all * covered_area(packed[i]) / covered_area(charts[i])));
     }
-    open_slits_of(of_surface, &charts[first], texels, options.padding, most_stretch);
-    first += of_surface.size();
+    const bool may_open = unwrapped[k].map.is_one_to_one && !unwrapped[k].is_symmetric;
+    if (may_open) { open_slits_of(pieces[k], &charts[first], texels, options.padding, most_stretch); }
+    first += pieces[k].size();
   }
 }
 
@@ -148,6 +155,10 @@ public:
     for (std::size_t i = 0; i < m_charts.size(); ++i)
     {
       if (m_pins[i].size() != 1) { continue; }
+      if (!(size > 0))
+      {
+        throw Invalid_input_error("a pin on a side of the texture leaves the chart around it no room");
+      }
       const double image = covered_area(m_charts[i]), scale = size * std::sqrt(m_charts[i].area / image);
       for (Plane_point& p : m_charts[i].at) { p = scale * p; }
       put(i);
@@ -253,9 +264,12 @@ double pack_unwrappings(std::vector<Unwrapping>& unwrapped, const std::vector<do
   Pack_options scaled = options;
   scaled.density *= largest;
   Chart_pinner pinner(charts, pieces, scaled);
-  for (const Texture_pin& pin : pins) { pinner.add(pin); }
+  for (const Texture_pin& pin : pins)
+  {
+    if (unwrapped[pin.surface].map.is_one_to_one) { pinner.add(pin); }
+  }
   pinner.run();
-  if (options.padding > 0) { open_slits_of_all(charts, pieces, scaled, most_stretch); }
+  if (options.padding > 0) { open_slits_of_all(charts, pieces, unwrapped, scaled, most_stretch); }
   const double filled = pack_charts(charts, scaled);
   auto packed = charts.begin();
   for (std::size_t i = 0; i < unwrapped.size(); ++i)

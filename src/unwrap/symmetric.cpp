@@ -21,20 +21,12 @@ namespace internal {
 
 namespace {
 
-// The pieces on one side of the plane.
-std::vector<Surface_piece> halves_of(const Triangle_surface& root, const Mirror& mirror)
+// What is on one side of the plane. Its line joins faces to their images alone, so there are two sides.
+Surface_piece half_of(const Triangle_surface& root, const Mirror& mirror)
 {
   Refined_surface s(root);
   flag_seam(s, mirror.line);
-  std::vector<Surface_piece> all = pieces_of(surface_of(s, open_along(s))), halves;
-  std::vector<char> is_there(root.number_of_faces(), 0);
-  for (Surface_piece& piece : all)
-  {
-    if (is_there[piece.faces.front()]) { continue; }
-    for (Index f : piece.faces) { is_there[mirror.face(f)] = 1; }
-    halves.push_back(std::move(piece));
-  }
-  return halves;
+  return pieces_of(surface_of(s, open_along(s))).front();
 }
 
 // The longest stretch of the plane's line along the border of a chart, as halfedges of the root, but no more than half
@@ -53,6 +45,7 @@ std::vector<Index> longest_stretch(const Triangle_surface& disc, const std::vect
     while (first < n && is_line[whole(loop[first])]) { ++first; }
     std::vector<Index> stretch;
     double length = 0;
+    bool is_full = false;
     for (std::size_t i = 0; i < n; ++i)
     {
       const Index h = loop[(first + i) % n];
@@ -60,9 +53,11 @@ std::vector<Index> longest_stretch(const Triangle_surface& disc, const std::vect
       {
         stretch.clear();
         length = 0;
+        is_full = false;
         continue;
       }
-      if (length + disc.length(h) > border / 2) { continue; }
+      is_full = is_full || length + disc.length(h) > border / 2;
+      if (is_full) { continue; }
       length += disc.length(h);
       stretch.push_back(whole(h));
       if (length > longest)
@@ -84,7 +79,7 @@ public:
   {
     for (Index h : mirror.line) { m_is_line[h] = m_is_line[root.opposite[h]] = 1; }
     m_is_seam = m_is_line;
-    for (const Surface_piece& piece : halves_of(root, mirror)) { add(piece, options); }
+    add(half_of(root, mirror), options);
   }
 
   // All seams; if `is_joined`, without those along which halves can stay together.
@@ -132,13 +127,17 @@ private:
   std::vector<Index> m_joints;
 };
 
-// The vertex of the disc that is the image of each.
+// The vertex of the disc that is the image of each; nothing if seams are not those of their images.
 std::vector<Index> images_of(const Mirror& mirror, const Triangle_surface& disc)
 {
   std::vector<Index> image(disc.number_of_vertices(), -1);
+  if (disc.number_of_halfedges() != static_cast<Index>(mirror.halfedge.size())) { return {}; }
   for (Index h = 0; h < disc.number_of_halfedges(); ++h)
   {
-    image[disc.source(h)] = disc.target(mirror.halfedge[h]); // whose faces are those of the root, in their order
+    const Index v = disc.target(mirror.halfedge[h]); // its faces are those of the root, in their order
+    Index& known = image[disc.source(h)];
+    if (known >= 0 && known != v) { return {}; }
+    known = v;
   }
   return image;
 }
@@ -204,6 +203,7 @@ bool is_simple_everywhere(const Triangle_surface& disc, const std::vector<Plane_
 bool make_maps_symmetric(const Mirror& mirror, Unwrapping& u)
 {
   const std::vector<Index> image = images_of(mirror, u.disc);
+  if (image.empty()) { return false; }
   const auto of_chart = vertices_of_charts(u);
   std::vector<Index> chart_of(u.disc.number_of_vertices(), 0);
   for (std::size_t i = 0; i < of_chart.size(); ++i)
@@ -256,16 +256,19 @@ Unwrapping unwrap_symmetric(const Triangle_surface& root, const Unwrap_options& 
   o.cut.on_edges = true;
   o.charts = 1;
   o.max_stretch = {};
-  Unwrapping u;
+  const double wanted = options.max_stretch.value_or(0);
+  Unwrapping best;
   for (const bool is_joined : {true, false})
   {
+    if (!is_joined && seams.find(false) == o.seams) { break; } // nothing can be joined
     o.seams = seams.find(is_joined);
-    u = unwrap_surface(root, o);
+    Unwrapping u = unwrap_surface(root, o);
     u.is_symmetric = make_maps_symmetric(mirror, u);
-    const double wanted = options.max_stretch.value_or(0);
-    if (u.is_symmetric && (!(wanted > 0) || u.map.distortion.stretch_l2 <= wanted)) { break; }
+    const auto fault = [](const Unwrapping& x) { return std::make_pair(!x.is_symmetric, x.map.distortion.stretch_l2); };
+    if (is_joined || fault(u) < fault(best)) { best = std::move(u); }
+    if (best.is_symmetric && (!(wanted > 0) || best.map.distortion.stretch_l2 <= wanted)) { break; }
   }
-  return u;
+  return best;
 }
 
 } // namespace internal

@@ -316,7 +316,7 @@ BOOST_AUTO_TEST_CASE(an_atlas_finds_the_best_place_there_is)
   {
     constexpr int size = 70; // more than the bits of a word
     const int gap = trial % 3;
-    internal::Atlas atlas(size, gap);
+    internal::Atlas atlas(size, {gap, gap});
     std::vector<char> is_taken(size * size, 0);
     int extent = 0;
     for (int i = 0; i < 12; ++i)
@@ -358,7 +358,6 @@ BOOST_AUTO_TEST_CASE(an_atlas_finds_the_best_place_there_is)
   }
 }
 
-// Every cell that a triangle has a point in, and of a thin one no other than those beside it.
 // The border of a chart says the same as all its triangles: with holes, overlapping itself, mirrored, with a triangle
 // without area that sticks out.
 BOOST_AUTO_TEST_CASE(cells_within_a_border_are_those_of_its_triangles)
@@ -405,6 +404,7 @@ BOOST_AUTO_TEST_CASE(cells_within_a_border_are_those_of_its_triangles)
   BOOST_TEST(internal::border_of({{0, 1, 2}}, kite).size() == 3u);
 }
 
+// Every cell that a triangle has a point in, and of a thin one no other than those beside it.
 BOOST_AUTO_TEST_CASE(cells_hold_all_that_a_triangle_touches)
 {
   std::mt19937 random(3);

@@ -117,4 +117,8 @@ BOOST_AUTO_TEST_CASE(charts_are_packed_beside_those_that_are_fixed)
   std::vector<Chart> too_many(16, charts[4]);
   for (std::size_t i = 1; i < too_many.size(); ++i) { too_many[i].is_fixed = false; }
   BOOST_CHECK_THROW(pack_charts(too_many), Invalid_input_error);
+  std::vector<Chart> both(2, charts[4]); // in one place
+  BOOST_CHECK_THROW(pack_charts(both), Invalid_input_error);
+  for (Plane_point& p : both[1].at) { p[0] += 0.2525; } // beside each other
+  BOOST_CHECK_NO_THROW(pack_charts(both));
 }

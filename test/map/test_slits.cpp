@@ -13,7 +13,9 @@
 #include <meridian/surface/measures.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -163,5 +165,8 @@ BOOST_AUTO_TEST_CASE(where_a_chart_is_near_itself_is_recounted)
   for (const auto& t : s.triangles) { two.push_back({t[0] + n, t[1] + n, t[2] + n}); }
   for (const Plane_point& p : at) { all.push_back(p + Plane_point{2.2, 0}); }
   BOOST_TEST(find_near_themselves(two, all, 0.12).empty());
-  BOOST_TEST(!verify_packing(two, all, {0.12, 1, 1}, 100));
+  for (Plane_point& p : all) { p = 0.2 * p + Plane_point{0.25, 0.1}; } // into one tile
+  const Verification found = verify_packing(two, all, 0.2 * 0.12);
+  BOOST_TEST_REQUIRE(found.failures.size() == 1u);
+  BOOST_TEST(found.failures[0].find("nearer to another chart") != std::string::npos, found.failures[0]);
 }

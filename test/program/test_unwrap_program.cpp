@@ -6,6 +6,7 @@
 #include "support/written_meshes.h"
 
 #include "files/Mesh_attributes.h"
+#include "files/Texture_text.h"
 #include "files/png.h"
 #include "files/read_mesh.h"
 #include "files/write_mesh.h"
@@ -17,6 +18,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstring>
@@ -835,6 +837,7 @@ BOOST_FIXTURE_TEST_CASE(vertices_are_pinned, Fixture)
     BOOST_TEST(contains(r.error, message), r.error);
   };
   expect("105 0 0\n109 1 1\n", "reaches out of the texture");
+  expect("105 0 0.5\n", "leaves the chart around it no room");
   expect("800 0.5 0.5\n", "vertex 800 is none of the mesh");
   expect("5 0.5\n", "a vertex and two coordinates");
   expect("5 0.5 0.5 0.5\n", "there is more");
@@ -852,6 +855,20 @@ BOOST_FIXTURE_TEST_CASE(symmetry_is_kept_or_missed, Fixture)
   BOOST_TEST(kept.status == 0, kept.error);
   BOOST_TEST(json("report.json")["components"][0]["parameterization"]["symmetric"] == true);
   BOOST_TEST(meridian("verify ball.obj uv.obj").status == 0);
+  // each face has an image that is as large
+  const files::Texture_text written("uv.obj", text("uv.obj"));
+  std::vector<double> areas;
+  for (const auto& t : written.texture_triangles())
+  {
+    const auto& at = written.texture();
+    areas.push_back(cross(at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]));
+  }
+  std::sort(areas.begin(), areas.end());
+  BOOST_TEST_REQUIRE(areas.size() % 2 == 0u);
+  for (std::size_t i = 0; i < areas.size(); i += 2)
+  {
+    BOOST_TEST(areas[i] == areas[i + 1], boost::test_tools::tolerance(1e-7));
+  }
   const auto missed = meridian("unwrap mesh.obj -o uv.obj --symmetry --report report.json"); // noisy
   BOOST_TEST(missed.status == 2);
   BOOST_TEST(contains(missed.error, "its own mirror image"), missed.error);

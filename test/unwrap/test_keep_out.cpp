@@ -92,6 +92,16 @@ void check(const Triangle_surface& s, const Unwrapping& u)
   BOOST_TEST(static_cast<std::size_t>(sample::euler_characteristic(u.disc)) == u.charts);
 }
 
+Index nearest(const Triangle_surface& s, const Point& p)
+{
+  Index best = 0;
+  for (Index v = 0; v < s.number_of_vertices(); ++v)
+  {
+    if (norm(s.points[v] - p) < norm(s.points[best] - p)) { best = v; }
+  }
+  return best;
+}
+
 } // namespace
 
 // A cut need not go through a disc: whatever it crosses there can go around.
@@ -101,6 +111,8 @@ BOOST_DATA_TEST_CASE(no_seam_goes_over_a_disc, data::make({false, true}) * data:
                                        sample::plate(2, 6),
                                        sample::punctured(sample::noisy(sample::torus(40, 20), 0.05, 2), {100, 433})};
   for (const Triangle_surface& s : surfaces)
+  {
+    int checked = 0;
     for (const Index v : {7, 150, 390})
     {
       const double radius = 0.3 * std::sqrt(area(s) / 3.14);
@@ -114,7 +126,25 @@ BOOST_DATA_TEST_CASE(no_seam_goes_over_a_disc, data::make({false, true}) * data:
         BOOST_TEST(length_inside(u, faces) == 0);
         BOOST_TEST(seam_length_inside(u.cut.surface, mark_faces(s, faces)) == 0);
       }
+      ++checked;
     }
+    BOOST_TEST(checked > 0);
+  }
+}
+
+// One edge that is given opens nothing of a ball; what does goes elsewhere than into what is kept out of.
+BOOST_DATA_TEST_CASE(seams_that_are_given_do_not_lead_there, data::make({false, true}), on_edges)
+{
+  const Triangle_surface s = sample::noisy(sample::sphere(4), 0.002, 3);
+  const Index tip = nearest(s, {0, 0, 1});
+  Unwrap_options options;
+  options.cut.on_edges = on_edges;
+  options.seams = {s.outgoing[tip]};
+  options.keep_out = faces_where(s, [](const Point& p) { return p[2] < -0.3; });
+  BOOST_TEST_REQUIRE(euler_characteristic(s, options.keep_out) == 1);
+  const Unwrapping u = pipeline::unwrap(s, options);
+  check(s, u);
+  BOOST_TEST(length_inside(u, options.keep_out) == 0);
 }
 
 BOOST_DATA_TEST_CASE(no_seam_goes_over_one_of_several_discs, data::make({false, true}), on_edges)
@@ -131,16 +161,6 @@ BOOST_DATA_TEST_CASE(no_seam_goes_over_one_of_several_discs, data::make({false, 
   const Unwrapping u = unwrapped(s, faces, on_edges);
   check(s, u);
   BOOST_TEST(length_inside(u, faces) == 0);
-}
-
-Index nearest(const Triangle_surface& s, const Point& p)
-{
-  Index best = 0;
-  for (Index v = 0; v < s.number_of_vertices(); ++v)
-  {
-    if (norm(s.points[v] - p) < norm(s.points[best] - p)) { best = v; }
-  }
-  return best;
 }
 
 // Links that meet others, and look for another way.
@@ -295,4 +315,10 @@ BOOST_AUTO_TEST_CASE(choices_that_do_not_go_with_faces_to_keep_out_of_are_refuse
   refused([](Unwrap_options& o) { o.family = 3; });
   refused([](Unwrap_options& o) { o.stretch_weight = 0.5; });
   refused([](Unwrap_options& o) { o.image_size = 33; });
+  refused([](Unwrap_options& o) { o.seams = {-1}; });
+  const Triangle_surface open = sample::punctured(s, {30});
+  Unwrap_options border;
+  border.keep_out = {5};
+  border.seams = {boundary_loops(open).front().front()};
+  BOOST_CHECK_THROW(pipeline::unwrap(open, border), Invalid_input_error);
 }

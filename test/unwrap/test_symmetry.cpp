@@ -12,6 +12,7 @@
 #include <meridian/surface/find_mirror.h>
 #include <meridian/surface/measures.h>
 #include <meridian/unwrap/Unwrapping.h>
+#include <meridian/unwrap/pack_unwrappings.h>
 
 #include <algorithm>
 #include <array>
@@ -60,7 +61,17 @@ Triangle_surface sample_of(int which)
   case 0: return doubled(sample::sphere(4));
   case 1: return doubled(sample::torus(40, 20));
   case 2: return doubled(sample::punctured(sample::torus(40, 20), {45})); // two holes
-  default: return doubled(sample::noisy(sample::dumbbell(6, 32), 0, 1));
+  case 3: return doubled(sample::dumbbell(6, 32));
+  default: // edges along the plane of very different length
+  {
+    Triangle_surface s = sample::sphere(4);
+    for (Point& p : s.points)
+    {
+      const double angle = std::atan2(p[2], p[1]), r = std::hypot(p[1], p[2]), turned = angle + 0.9 * std::sin(angle);
+      p = {p[0], r * std::cos(turned), r * std::sin(turned)};
+    }
+    return doubled(s);
+  }
   }
 }
 
@@ -118,7 +129,7 @@ void check_symmetric(const Triangle_surface& s, const Unwrapping& u, const Mirro
 
 } // namespace
 
-BOOST_DATA_TEST_CASE(a_mirror_is_found_whatever_the_numbers, data::xrange(4), which)
+BOOST_DATA_TEST_CASE(a_mirror_is_found_whatever_the_numbers, data::xrange(5), which)
 {
   const Triangle_surface first = sample_of(which);
   for (const Triangle_surface& s : {first, sample::renumbered(sample::rotated(first, 0.3, 1.1), 5)})
@@ -156,7 +167,7 @@ BOOST_AUTO_TEST_CASE(what_is_no_mirror_image_has_none)
   BOOST_TEST((u.map.at == pipeline::unwrap(s, Unwrap_options()).map.at));
 }
 
-BOOST_DATA_TEST_CASE(seams_and_charts_are_mirror_images, data::xrange(4) * data::make({1, 0, 4}), which, charts)
+BOOST_DATA_TEST_CASE(seams_and_charts_are_mirror_images, data::xrange(5) * data::make({1, 0, 4}), which, charts)
 {
   const Triangle_surface s = sample_of(which);
   const auto m = find_mirror(s);
@@ -167,6 +178,28 @@ BOOST_DATA_TEST_CASE(seams_and_charts_are_mirror_images, data::xrange(4) * data:
   if (charts == 1) { BOOST_TEST(u.charts == 1u); } // halves that stay together
   if (charts == 4) { BOOST_TEST(u.charts == 4u); }
   if (charts == 0) { BOOST_TEST(u.map.distortion.stretch_l2 <= default_max_stretch_of_charts); }
+}
+
+// A flat sheet with holes: sides of its slits lie on each other, and stay there, lest one half's open otherwise.
+BOOST_AUTO_TEST_CASE(charts_are_mirror_images_when_they_are_packed)
+{
+  const auto sheet = sample::sheet(24, 24, [](double x, double y) { return Point{2 * x - 1, 2 * y - 1, 0}; });
+  const Triangle_surface s = doubled(sample::punctured(sheet, {25 * 12 + 20, 25 * 5 + 17, 25 * 19 + 15}));
+  const auto m = find_mirror(s);
+  BOOST_TEST_REQUIRE(m.has_value());
+  Unwrap_options options;
+  options.is_symmetric = true;
+  options.max_stretch = 0;
+  std::vector<Unwrapping> packed{pipeline::unwrap(s, options)};
+  BOOST_TEST_REQUIRE(packed[0].is_symmetric);
+  Pack_options wide;
+  wide.padding = 16;
+  pack_unwrappings(packed, {1.}, wide);
+  check_symmetric(s, packed[0], *m);
+  packed[0].is_symmetric = false; // then they are opened
+  const auto closed = packed[0].map.at;
+  pack_unwrappings(packed, {1.}, wide);
+  BOOST_TEST((packed[0].map.at != closed));
 }
 
 // The half sphere on either side is flat enough for 1.1, both together are not for less.

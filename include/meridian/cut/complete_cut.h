@@ -27,6 +27,13 @@ struct Completion_options
   std::vector<Index> keep_out = {};
 };
 
+/// \ingroup PkgMeridianCut
+/// checks seams that are given. `complete_cut()` does so first.
+/// \param root the surface
+/// \param seams halfedges of it
+/// \throws Invalid_input_error if the surface is none, or a seam is no halfedge inside it
+void check_seams(const Triangle_surface& root, const std::vector<Index>& seams);
+
 /*!
  * \ingroup PkgMeridianCut
  *

@@ -5,6 +5,7 @@
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Refined_surface.h>
 #include <meridian/surface/Triangle_surface.h>
+#include <meridian/surface/pieces.h>
 
 #include <vector>
 
@@ -43,6 +44,14 @@ std::vector<char> mark_faces(const Triangle_surface& s, const std::vector<Index>
 /// \param s the refined surface
 /// \param kept_out of each face of the root
 std::vector<char> carry_kept_out(const Refined_surface& s, const std::vector<char>& kept_out);
+
+/// \ingroup PkgMeridianCut
+/// \returns the same for each face of a piece of such a surface
+/// \param piece the piece
+/// \param s the refined surface, which was taken apart
+/// \param kept_out of each face of the root; empty if none is
+std::vector<char> carry_kept_out(const Surface_piece& piece, const Refined_surface& s,
+                                 const std::vector<char>& kept_out);
 
 /// \ingroup PkgMeridianCut
 /// \returns for each vertex, whether all its faces are kept out of

@@ -34,7 +34,8 @@ struct Opened_slits
  * \param gap how far apart sides shall be, in the unit of the image
  * \returns how many sides of the border were nearer than the gap, and are
  * \par Complexity
- * \f$ O(n \log n + k) \f$ for each round, with `k` pairs of sides above each other
+ * \f$ O(n \log n + k) \f$ for each of up to 40 rounds, with `k` pairs of sides above each other, and in each as often
+ * as vertices have to be held back
  */
 Opened_slits open_slits(const Triangle_surface& disc, std::vector<Plane_point>& at, double gap);
 

@@ -43,15 +43,14 @@ struct Pack_options
  * of the bays of others; the place is taken with which the square grows least (\cite levy2002 lets charts down onto
  * a horizon instead, which leaves bays empty). Several directions of the first chart and orders of all are tried on a
  * coarse grid, and the best of them on a fine one. Then the square is scaled to the unit square; or, with a density,
- * each chart goes into the first square that has a place for it. So it does if charts are fixed, which say the density.
- * A chart is not turned if rounding would then turn a
- * face over. Charts may overlap themselves, and be mirrored.
+ * or if charts are fixed, which say the density, each chart goes into the first square that has a place for it. A chart
+ * is not turned if rounding would then turn a face over. Charts may overlap themselves, and be mirrored.
  *
  * \param charts the charts; their points are moved
  * \param options see there
  * \returns the part of the square that is filled, or of all squares that are used
  * \throws Invalid_input_error if the padding leaves no room for so many charts, or so many squares no room at that
- *   density
+ *   density, or charts that are fixed overlap
  * \pre there is a chart; no padding is more than a quarter of the resolution; charts that are fixed have an area, and
  *   lie in the unit square
  * \par Complexity

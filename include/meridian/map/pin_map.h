@@ -27,7 +27,7 @@ namespace meridian {
  * \returns how far the farthest is from where it shall be; 0 if all are there, to the bit
  * \throws Solver_error if a step cannot be solved
  * \par Complexity
- * One factorization for each of a few dozen steps; linear if the map need not give way.
+ * One factorization for each of up to 144 steps, but a few dozen as a rule; linear if the map need not give way.
  */
 double pin_map(const Triangle_surface& disc, std::vector<Plane_point>& at, const std::vector<Map_pin>& pins,
                Make_solver make_solver = make_symmetric_solver);

@@ -35,12 +35,17 @@ std::vector<std::array<Index, 2>> border_of(const std::vector<std::array<Index, 
 // The same cells as those that triangles touch, from their border: those that it touches, and those inside.
 Chart_cells cells_within(const std::vector<std::array<Index, 2>>& border, const std::vector<Plane_point>& at);
 
+// How many cells stay empty between charts, to the right and upwards.
+struct Cell_gap
+{
+  int right = 0, up = 0;
+};
+
 // The cells of a square that are taken, or nearer to a taken one than is allowed.
 class Atlas
 {
 public:
-  // `gap`: how many cells stay empty between charts.
-  Atlas(int size, int gap);
+  Atlas(int size, const Cell_gap& gap);
 
   struct Place
   {
@@ -52,6 +57,8 @@ public:
   // better than `best`, which is for `best_cells`.
   std::optional<Place> find_place(const Chart_cells& cells, const std::optional<Place>& best,
                                   const Chart_cells& best_cells) const;
+  // Whether none of some cells is taken.
+  bool is_free(const Chart_cells& cells) const;
   void take(const Chart_cells& cells, const Place& place);
   int extent() const { return m_extent; }
   int size() const { return m_size; }
@@ -75,13 +82,15 @@ private:
   static void take_row(Word* of_row, int begin, int end);
   void update_levels(int y);
 
-  int m_size, m_gap, m_words, m_levels, m_extent = 0;
+  int m_size;
+  Cell_gap m_gap;
+  int m_words, m_levels, m_extent = 0;
   std::size_t m_rows;
   std::vector<Word> m_taken; // of level k: whether one of 2^k cells from here on is taken
 };
 
 // The cells of a coarser grid, `factor` times as large, that a chart at some place touches, or a margin around it.
-Chart_cells coarsened(const Chart_cells& cells, const Atlas::Place& place, int margin, int factor);
+Chart_cells coarsened(const Chart_cells& cells, const Atlas::Place& place, const Cell_gap& margin, int factor);
 
 } // namespace internal
 } // namespace meridian

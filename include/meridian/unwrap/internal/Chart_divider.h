@@ -75,7 +75,6 @@ private:
   std::vector<std::size_t> most_needful() const;
   // Charts with the most excess, together at least `enough`, or all; `sum` receives what they have, as a part of all.
   std::vector<std::size_t> most_stretched(double enough, double& sum) const;
-  std::vector<char> kept_out_in(const Chart& chart) const; // of its faces
   // Whether an arc's points are far enough from those that there are for doubles to tell them apart.
   bool has_room(const Surface_curve& arc) const;
 

@@ -7,7 +7,6 @@
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/measures.h>
 #include <meridian/unwrap/Unwrapping.h>
-#include <meridian/unwrap/internal/first_cut.h>
 
 #include <cstddef>
 #include <string>
@@ -21,13 +20,7 @@ namespace internal {
 class Unwrapper
 {
 public:
-  Unwrapper(const Triangle_surface& root, const Unwrap_options& options)
-    : m_root(root), m_options(options), m_kept_out(kept_out_of(root, options)), m_area(area(root))
-  {
-    check_wishes(options);
-    // shorter seams stretch the map of a lattice by up to a tenth more
-    if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
-  }
+  Unwrapper(const Triangle_surface& root, const Unwrap_options& options);
 
   Unwrapping run();
 

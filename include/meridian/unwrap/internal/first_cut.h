@@ -22,7 +22,7 @@ void check_wishes(const Unwrap_options& options);
 // The cut that an unwrapping begins with: along seams, if there are any, and around what is kept out of.
 Cut first_cut(const Triangle_surface& root, const std::vector<Index>& seams, const Unwrap_options& options);
 
-// Of each face of the root, whether seams go around it; empty if around none.
+// Of each face of the root, whether seams go around it; empty if around none. Checks wishes first.
 std::vector<char> kept_out_of(const Triangle_surface& root, const Unwrap_options& options);
 
 } // namespace internal

@@ -19,7 +19,8 @@ Unwrapping unwrap_symmetric(const Triangle_surface& root, const Unwrap_options& 
 void check_symmetric(const Unwrap_options& options);
 
 // Makes the maps of charts mirror images of each other, or, if they are their own images, of themselves. Returns
-// whether that could be; then no face is turned over that was not, and no border meets itself.
+// whether that could be: seams are those of their images, no more faces are turned over than were, and no border meets
+// itself.
 bool make_maps_symmetric(const Mirror& mirror, Unwrapping& u);
 
 } // namespace internal
