@@ -50,8 +50,7 @@ public:
   Completion(const Triangle_surface& root, const Completion_options& options, Cut& cut)
     : m_root(root), m_options(options), m_cut(cut), m_run{options.observer, cut.seconds}
   {
-    if (options.keep_out.empty()) { return; }
-    m_kept_out = open_kept_out(surface_of(cut.surface, open_along(cut.surface)), mark_faces(root, options.keep_out));
+    m_kept_out = find_kept_out(cut.surface, options.keep_out);
   }
 
   void run()

@@ -72,6 +72,12 @@ std::vector<char> mark_faces(const Triangle_surface& s, const std::vector<Index>
   return is_marked;
 }
 
+std::vector<char> find_kept_out(const Refined_surface& s, const std::vector<Index>& faces)
+{
+  if (faces.empty()) { return {}; }
+  return open_kept_out(surface_of(s, open_along(s)), mark_faces(s, faces));
+}
+
 std::vector<char> carry_kept_out(const Refined_surface& s, const std::vector<char>& kept_out)
 {
   std::vector<char> carried;

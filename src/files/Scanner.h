@@ -133,6 +133,18 @@ inline std::int32_t place_in(const Scanner& in, std::string_view word, std::size
   return static_cast<std::int32_t>(place);
 }
 
+// The next word, a vertex of so many, counted from 0; fails if it is none.
+inline std::int32_t vertex_in(Scanner& in, std::size_t vertices)
+{
+  const std::int64_t v = in.integer("a vertex");
+  if (v < 0 || v >= static_cast<std::int64_t>(vertices))
+  {
+    in.fail("vertex " + std::to_string(v) + " is none of the mesh, which has " + std::to_string(vertices)
+            + ", counted from 0");
+  }
+  return static_cast<std::int32_t>(v);
+}
+
 } // namespace files
 } // namespace meridian
 

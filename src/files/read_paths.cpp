@@ -14,16 +14,7 @@ std::vector<std::vector<Index>> read_paths(const std::string& path, std::size_t 
   while (!in.at_end())
   {
     auto& vertices_of_path = paths.emplace_back();
-    while (!in.at_line_end())
-    {
-      const std::int64_t v = in.integer("a vertex");
-      if (v < 0 || v >= static_cast<std::int64_t>(vertices))
-      {
-        in.fail("vertex " + std::to_string(v) + " is none of the mesh, which has " + std::to_string(vertices)
-                + ", counted from 0");
-      }
-      vertices_of_path.push_back(static_cast<Index>(v));
-    }
+    while (!in.at_line_end()) { vertices_of_path.push_back(vertex_in(in, vertices)); }
     if (vertices_of_path.size() < 2) { in.fail("a path of one vertex; a seam runs from a vertex to another at least"); }
   }
   if (paths.empty()) { throw File_error(path + ": there are no paths in it"); }

@@ -16,13 +16,7 @@ std::vector<Pin> read_pins(const std::string& path, std::size_t vertices)
   std::set<Index> known;
   while (!in.at_end())
   {
-    const std::int64_t v = in.integer("a vertex");
-    if (v < 0 || v >= static_cast<std::int64_t>(vertices))
-    {
-      in.fail("vertex " + std::to_string(v) + " is none of the mesh, which has " + std::to_string(vertices)
-              + ", counted from 0");
-    }
-    Pin& pin = pins.emplace_back(Pin{static_cast<Index>(v), {0, 0}});
+    Pin& pin = pins.emplace_back(Pin{vertex_in(in, vertices), {0, 0}});
     for (double& x : pin.at)
     {
       if (in.at_line_end()) { in.fail("a pin is a vertex and two coordinates"); }
@@ -30,7 +24,7 @@ std::vector<Pin> read_pins(const std::string& path, std::size_t vertices)
       if (!(x >= 0 && x <= 1)) { in.fail("coordinates of pins are from 0 to 1"); }
     }
     if (!in.at_line_end()) { in.fail("a pin is a vertex and two coordinates, and there is more"); }
-    if (!known.insert(pin.vertex).second) { in.fail("vertex " + std::to_string(v) + " is pinned twice"); }
+    if (!known.insert(pin.vertex).second) { in.fail("vertex " + std::to_string(pin.vertex) + " is pinned twice"); }
   }
   if (pins.empty()) { throw File_error(path + ": there are no pins in it"); }
   return pins;

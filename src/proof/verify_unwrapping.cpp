@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace meridian {
@@ -59,11 +60,18 @@ bool is_flipped(const std::array<std::int32_t, 3>& face, const Texture& texture)
   return orientation(face, texture) != CGAL::LEFT_TURN;
 }
 
-// A failure that names elements once each, if there are any.
-void list_once(Verification& found, const char* what, std::vector<std::int32_t> elements)
+// Each of some elements once, ascending.
+std::vector<std::int32_t> once(std::vector<std::int32_t> elements)
 {
   std::sort(elements.begin(), elements.end());
   elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
+  return elements;
+}
+
+// A failure that names elements once each, if there are any.
+void list_once(Verification& found, const char* what, std::vector<std::int32_t> elements)
+{
+  elements = once(std::move(elements));
   if (!elements.empty()) { found.failures.push_back(internal::list_elements(what, elements)); }
 }
 
@@ -150,10 +158,7 @@ std::vector<std::int32_t> find_near_themselves(const std::vector<std::array<std:
   Result_mesh mesh;
   mesh.faces = faces;
   mesh.points.resize(texture.size());
-  std::vector<std::int32_t> near = verification::Layout_verifier(mesh, texture).find_near_itself(padding);
-  std::sort(near.begin(), near.end());
-  near.erase(std::unique(near.begin(), near.end()), near.end());
-  return near;
+  return verification::once(verification::Layout_verifier(mesh, texture).find_near_itself(padding));
 }
 
 } // namespace meridian

@@ -6,7 +6,6 @@
 #include <meridian/cut/complete_cut.h>
 #include <meridian/cut/cut_to_disc.h>
 #include <meridian/cut/keep_out.h>
-#include <meridian/surface/open_along.h>
 #include <meridian/surface/seams.h>
 
 #include <variant>
@@ -52,7 +51,7 @@ std::vector<char> kept_out_of(const Triangle_surface& root, const Unwrap_options
   check_seams(root, options.seams);
   Refined_surface s(root);
   flag_seam(s, options.seams);
-  return open_kept_out(surface_of(s, open_along(s)), mark_faces(root, options.keep_out));
+  return find_kept_out(s, options.keep_out);
 }
 
 } // namespace internal

@@ -34,12 +34,13 @@ struct Opened_chart
   double more; // the square of its L2 stretch, times its area, than it was
 };
 
-// Opens slits of a chart as wide as it can for a tenth of its distortion, or so. Returns whether there are any.
-bool open_slits_of(const Triangle_surface& disc, const Chart& chart, double gap, Opened_chart& opened)
+// Opens slits of a chart as wide as it can for a tenth of its distortion, or so. `was`: the square of its L2 stretch.
+// Returns whether there are any.
+bool open_slits_of(const Triangle_surface& disc, const Chart& chart, double was, double gap, Opened_chart& opened)
 {
   constexpr double part = 0.1, little = 1e-3; // of the excess of the square of the stretch, and besides
   constexpr int steps = 3;                    // the rest of the chart gives way
-  const double was = square_of_stretch(disc, chart.at), most = was + part * (was - 1) + little;
+  const double most = was + part * (was - 1) + little;
   for (double narrower = 1; narrower > 0.2;)
   {
     opened.at = chart.at;
@@ -69,13 +70,11 @@ void open_slits_of(const std::vector<Surface_piece>& pieces, Chart* charts, cons
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
     const Triangle_surface& disc = pieces[i].surface;
-    if (most_stretch > 0)
-    {
-      left += charts[i].area * (most_stretch * most_stretch - square_of_stretch(disc, charts[i].at));
-    }
+    const double was = square_of_stretch(disc, charts[i].at);
+    left += charts[i].area * (most_stretch * most_stretch - was);
     const double gap = more * padding / texels[i];
     Opened_chart opened{i, {}, 0};
-    if (gap > 0 && !charts[i].is_fixed && open_slits_of(disc, charts[i], gap, opened))
+    if (gap > 0 && !charts[i].is_fixed && open_slits_of(disc, charts[i], was, gap, opened))
     {
       all.push_back(std::move(opened));
     }
@@ -151,10 +150,12 @@ public:
     {
       if (m_pins[i].size() > 1) { put(i); }
     }
+    const auto has_one = [](const std::vector<Map_pin>& pins) { return pins.size() == 1; };
+    if (std::none_of(m_pins.begin(), m_pins.end(), has_one)) { return; }
     const double size = size_of_unit();
     for (std::size_t i = 0; i < m_charts.size(); ++i)
     {
-      if (m_pins[i].size() != 1) { continue; }
+      if (!has_one(m_pins[i])) { continue; }
       if (!(size > 0))
       {
         throw Invalid_input_error("a pin on a side of the texture leaves the chart around it no room");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/unwrap/plan_extensions.h>
 
+#include <meridian/cut/keep_out.h>
 #include <meridian/field/Laplace_system.h>
 #include <meridian/field/intrinsic_delaunay.h>
 #include <meridian/surface/Closed_model.h>
@@ -28,8 +29,8 @@ public:
       m_u(m_model.number_of_nodes, 0), m_by(m_model.number_of_nodes, -1)
   {
     for (Index a = 0; a < m_model.number_of_nodes; ++a) { m_is_border[a] = m_model.is_loop(a); }
-    for (std::size_t f = 0; f < kept_out.size(); ++f)
-      for (Index v : disc.triangles[f]) { m_is_closed[m_model.node[v]] &= kept_out[f]; }
+    const std::vector<char> inside = vertices_inside(disc, kept_out);
+    for (std::size_t v = 0; v < inside.size(); ++v) { m_is_closed[m_model.node[v]] &= inside[v]; }
     measure(disc);
   }
 

@@ -54,8 +54,7 @@ std::vector<Index> cut_by_tree_cotree(const Triangle_surface& s, Index base, con
  *
  * \param s the surface
  * \param bases how many base points; from the number of vertices on, all are taken
- * \param progress told after each base how much is done
- * \param metric how long edges count
+ * \param progress told after each base how much is done \param metric how long edges count
  * \param may_be_base tells of a vertex whether it may be a base, where not all are taken; empty: each may
  *
  * \pre `s` is connected
@@ -122,7 +121,6 @@ std::vector<Index> exchange_in_edge_cut(const Triangle_surface& s, const std::ve
  * Faces are taken away from a seed on, in the order of their distance through faces, each with the edge to the one
  * before. The edges that are left over are pruned to a cut graph, and its paths straightened. A closed sphere is opened
  * along a path between two vertices far apart.
- *
  * \param s the surface
  * \param seed_face the first face, or -1 for one at a vertex far out
  * \param ends where paths may end when they are straightened; as published, at their nodes

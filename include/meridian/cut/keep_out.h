@@ -40,6 +40,14 @@ Refined_surface wall_off(Refined_surface s, const std::vector<char>& kept_out);
 std::vector<char> mark_faces(const Triangle_surface& s, const std::vector<Index>& faces);
 
 /// \ingroup PkgMeridianCut
+/// \returns for each face of a surface whether seams shall keep out of it, as `open_kept_out()` leaves it between the
+///          seams that there are; empty if there are no faces to keep out of
+/// \param s the surface with its seams, not refined yet
+/// \param faces faces of it
+/// \throws Invalid_input_error if one is none
+std::vector<char> find_kept_out(const Refined_surface& s, const std::vector<Index>& faces);
+
+/// \ingroup PkgMeridianCut
 /// \returns for each face of a refined surface, whether it is a part of what is kept out of; empty if `kept_out` is
 /// \param s the refined surface
 /// \param kept_out of each face of the root
