@@ -49,7 +49,7 @@ double wanted_excess(const Unwrap_options& options)
 // some may be turned over.
 double bounded_excess(const Triangle_surface& disc, const std::vector<Plane_point>& at)
 {
-  constexpr double badly = 1.5;
+  constexpr double badly = 2;
   const auto faces = measure_faces(disc.points, disc.triangles, at);
   double sum = 0, whole = 0;
   for (Index f = 0; f < disc.number_of_faces(); ++f)
@@ -99,13 +99,14 @@ Unwrapping Chart_divider::run()
   run(Stage::PARAMETERIZE, [&] {
     update_charts();
     // limbs first: where much is stretched, faces overlap that will not
-    constexpr double much = 0.2;
+    constexpr double much = 0.15;
     while (m_extends && excess() > much && extend(std::max(much, m_wanted))) {}
     do {
       divide();
     } while (m_extends && extend(m_wanted));
     map_charts();
     note("divided into " + std::to_string(m_charts.size()) + " charts");
+    extend_further();
     divide_further();
     divide_wasteful();
     join_maps();
@@ -203,7 +204,8 @@ void Chart_divider::unfold(Chart& chart) const
   Overlaps overlaps = find_overlaps(disc, chart.unfolded, std::min(16384., 8. * disc.number_of_faces()));
   chart.apart = std::move(overlaps.faces);
   chart.overlap = overlaps.part;
-  chart.excess = bounded_excess(disc, chart.unfolded);
+  constexpr double more = 1.4; // times the excess of a map
+  chart.excess = bounded_excess(disc, chart.unfolded) / more;
 }
 
 double Chart_divider::excess() const
@@ -219,12 +221,17 @@ double Chart_divider::excess() const
 
 bool Chart_divider::extend(double wanted)
 {
-  constexpr double enough = 1.05; // times what is wanted: a map stretches a little less than what is unfolded
-  const double now = excess();
-  if (!(now > enough * wanted)) { return false; }
+  constexpr std::array<double, 3> boldness{1, 2, 4};
+  return excess() > wanted
+         && std::any_of(boldness.begin(), boldness.end(), [&](double b) { return extend(wanted, b); });
+}
+
+bool Chart_divider::extend(double wanted, double boldness)
+{
   constexpr double farthest = 0.1; // at once
+  const double now = excess();
   const auto goal = [&](double expected) {
-    return std::sqrt(1 + (expected * expected - 1) * std::max(wanted / now, farthest));
+    return std::sqrt(1 + (expected * expected - 1) * std::max(wanted / now, farthest) / boldness);
   };
   Extension_plan plan;
   try
@@ -235,18 +242,37 @@ bool Chart_divider::extend(double wanted)
   catch (const Solver_error&)
   {} // then it is divided
   if (plan.vertices.empty()) { return false; }
-  Cut before = m_result.cut;
+  State before = state();
   extend_cut(m_root, m_result.cut, plan.vertices, m_options.cut.on_edges, m_kept_out);
   update_charts();
   const double least = (now - wanted) / (m_kept_out.empty() ? 3 : 20); // around what is kept out of, there is no better
   if (now - excess() < least)                                          // it does not pay
   {
-    m_result.cut = std::move(before);
-    update_charts();
+    return_to(std::move(before));
     return false;
   }
   m_result.extended += plan.vertices.size();
   return true;
+}
+
+void Chart_divider::extend_further()
+{
+  constexpr double nearly = 1.5; // times what is wanted
+  const double now = excess();
+  if (!m_extends || !is_automatic() || m_charts.size() > 1 || now > nearly * m_wanted) { return; }
+  State before = state();
+  if (!extend(m_wanted)) { return; }
+  map_charts();
+  if (now - excess() < (now - m_wanted) / 3) { return_to(std::move(before)); }
+  else { note("extended further"); }
+}
+
+void Chart_divider::return_to(State&& before)
+{
+  m_result.cut = std::move(before.cut);
+  m_result.disc = surface_of(m_result.cut.surface, m_result.cut.opened);
+  m_result.extended = before.extended;
+  m_charts = std::move(before.charts);
 }
 
 std::vector<std::size_t> Chart_divider::most_needful() const
@@ -346,7 +372,7 @@ void Chart_divider::map_charts()
     chart.unfolded.clear();
     if (chart.overlap <= harmless_overlap) { chart.apart.clear(); } // what is short and even is better then
     const double stretch = chart.map.distortion.stretch_l2;
-    chart.excess = stretch * stretch - 1;
+    chart.excess = chart.map.is_one_to_one ? stretch * stretch - 1 : bounded_excess(disc, chart.map.at);
     if (whole > 0) { m_done = std::max(m_done, std::min(mapped / whole, 1.)); }
     m_progress(m_done);
   }
@@ -393,8 +419,7 @@ void Chart_divider::divide_wasteful()
   const double length = m_result.cut.length;
   double best = filled();
   if (best >= m_options.filled) { return; }
-  Cut best_cut = m_result.cut;
-  std::vector<Chart> best_charts = m_charts;
+  State best_state = state();
   int in_vain = 0;
   for (double now = best;
        now < m_options.filled && in_vain < patience && m_charts.size() < many && divide(most_wasteful()); ++in_vain)
@@ -402,16 +427,13 @@ void Chart_divider::divide_wasteful()
     if (m_result.cut.length > longer * length) { break; }
     map_charts();
     now = filled();
-    const double more = static_cast<double>(m_charts.size()) / static_cast<double>(best_charts.size());
+    const double more = static_cast<double>(m_charts.size()) / static_cast<double>(best_state.charts.size());
     if (now - best < worth * std::log(more)) { continue; }
     in_vain = -1;
     best = now;
-    best_cut = m_result.cut;
-    best_charts = m_charts;
+    best_state = state();
   }
-  m_result.cut = std::move(best_cut);
-  m_charts = std::move(best_charts);
-  m_result.disc = surface_of(m_result.cut.surface, m_result.cut.opened);
+  return_to(std::move(best_state));
   note("divided into " + std::to_string(m_charts.size()) + " charts to fill the square");
 }
 

@@ -34,11 +34,21 @@ private:
     double area = 0;
     std::vector<std::array<Index, 2>> apart = {}; // faces that overlap where it is unfolded
     double overlap = 0;                           // the part of it that does
-    double excess = 0;                            // the square of its L2 stretch less 1, as it is unfolded or mapped
+    double excess = 0; // the square of the L2 stretch of its map less 1; what that may be, before it has one
     std::vector<Plane_point> unfolded = {};
     Parameterization map = {}; // once it has one
     bool is_whole = false;     // no arc divides it
   };
+
+  // What one may return to.
+  struct State
+  {
+    Cut cut;
+    std::vector<Chart> charts;
+    std::size_t extended;
+  };
+  State state() const { return {m_result.cut, m_charts, m_result.extended}; }
+  void return_to(State&& before);
 
   // Cuts it into one disc, or along seams.
   void cut();
@@ -57,6 +67,10 @@ private:
   // Extends the cut in all charts, as far as unfolding them says that it should be for some excess. Returns whether
   // that paid.
   bool extend(double wanted);
+  // The same, where what is expected then is to become less by some factor more than that.
+  bool extend(double wanted, double boldness);
+  // The same for what is mapped, nearly as it should be, and one chart: all of it is mapped again either way.
+  void extend_further();
   // Divides charts that overlap themselves, or the largest until there are as many as were asked for.
   void divide();
   void map_charts();
