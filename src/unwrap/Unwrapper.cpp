@@ -110,10 +110,6 @@ std::vector<Index> Unwrapper::plan(const Triangle_surface& disc, std::vector<Exp
     {
       known.back().expected = excess(expected);
       const Expectation now = known.back();
-      if (!m_options.max_stretch && now.measured < excess(fair_stretch) && now.measured > 4 * now.expected)
-      {
-        return expected; // faces of a lattice are too few for its curvature, wherever it is cut
-      }
       enough = now.expected * wanted / now.measured;
       if (known.size() > 1)
       {
@@ -183,8 +179,8 @@ bool Unwrapper::is_worthwhile(const Unwrapping& u) const
   const std::size_t flips = u.map.flipped.size(), flips_before = m_best.map.flipped.size();
   if (flips != flips_before) { return flips < flips_before; }
   const double before = m_best.map.distortion.stretch_l2, gain = before - u.map.distortion.stretch_l2;
-  const double part = m_options.max_stretch || before > fair_stretch ? 1. / 20 : 1. / 3;
-  return gain > part * (before - wanted_stretch());
+  constexpr double least = 1. / 20;
+  return gain > least * (before - wanted_stretch());
 }
 
 void Unwrapper::take(Unwrapping&& u)
@@ -367,9 +363,19 @@ bool Unwrapper::extend_to(const std::vector<Index>& vertices)
   if (vertices.empty()) { return false; }
   Unwrapping u;
   const std::vector<Index> parents = extend_best(vertices, u);
-  const std::string name = name_of_extension(vertices), failure = try_to_map(u);
-  if (!failure.empty() || !is_worthwhile(u)) { go_on_from_best(u, parents); }
-  if (u.map.at.empty()) { return note_failure(name, u, &Unwrapping::extensions, failure); }
+  const std::string name = name_of_extension(vertices);
+  const bool goes_on = go_on_from_best(u, parents);
+  if (!goes_on || !is_worthwhile(u) || u.map.distortion.stretch_l2 > fair_stretch)
+  {
+    Unwrapping other; // may be better from the beginning
+    other.cut = u.cut;
+    other.extended = u.extended;
+    const std::string failure = try_to_map(other);
+    if (!goes_on && !failure.empty()) { return note_failure(name, u, &Unwrapping::extensions, failure); }
+    const bool is_better =
+      failure.empty() && other.map.flipped.empty() && other.map.distortion.stretch_l2 < u.map.distortion.stretch_l2;
+    if (!goes_on || is_better) { u = std::move(other); }
+  }
   const bool is_good = is_worthwhile(u);
   return judge(name, std::move(u), &Unwrapping::extensions, is_good);
 }
