@@ -231,6 +231,22 @@ BOOST_AUTO_TEST_CASE(the_stretch_that_is_asked_for_is_reached)
   }
 }
 
+// Struts of few faces stretch most of all; what is not asked for is reached there, too, and no further than if it were.
+BOOST_AUTO_TEST_CASE(lattices_are_stretched_no_more_than_others)
+{
+  const auto is_strut = [](int x, int y, int z) { return (x % 2 == 0) + (y % 2 == 0) + (z % 2 == 0) >= 2; };
+  const Triangle_surface s = sample::skin({11, 11, 5}, is_strut);
+  Unwrap_options shortest, asked;
+  shortest.max_stretch = 0;
+  asked.max_stretch = default_max_stretch;
+  const Unwrapping a = pipeline::unwrap(s, shortest), b = pipeline::unwrap(s), c = pipeline::unwrap(s, asked);
+  BOOST_TEST(a.map.distortion.stretch_l2 > default_max_stretch); // or nothing is shown here
+  BOOST_TEST(b.map.distortion.stretch_l2 <= default_max_stretch);
+  BOOST_TEST(b.map.is_one_to_one);
+  BOOST_TEST((b.map.at == c.map.at));
+  for (const auto& failure : verify_cut(s, b.cut).failures) { BOOST_ERROR(failure); }
+}
+
 // A stretch that cannot be reached ends the search all the same.
 BOOST_AUTO_TEST_CASE(a_stretch_that_cannot_be_reached_is_not_looked_for_without_end)
 {
