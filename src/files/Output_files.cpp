@@ -62,6 +62,25 @@ std::string pack(const std::string& path, const std::string& bytes)
 
 } // namespace
 
+std::string place_of(const std::string& path)
+{
+  namespace fs = std::filesystem;
+  constexpr int most_links = 40; // as many as the system follows
+  try
+  {
+    fs::path place = fs::absolute(path);
+    for (int i = 0; i < most_links && fs::is_symlink(place); ++i)
+    {
+      place = place.parent_path() / fs::read_symlink(place);
+    }
+    return fs::weakly_canonical(place).string();
+  }
+  catch (const fs::filesystem_error& e)
+  {
+    throw File_error(path + ": " + e.code().message());
+  }
+}
+
 Output_files::~Output_files()
 {
   for (const File& file : m_files)
@@ -82,7 +101,7 @@ void Output_files::add(const std::string& path, const std::string& bytes)
   const std::string& content = is_packed(path) ? packed : bytes;
 
   File file;
-  file.path = std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+  file.path = place_of(path);
 #ifdef O_TMPFILE
   file.descriptor = open(folder_of(file.path).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 #endif

@@ -4,10 +4,14 @@
 
 #include "read_mesh.h"
 
+#include <string>
 #include <vector>
 
 namespace meridian {
 namespace files {
+
+// Where a file lies, or would: links are followed, also such as lead to nothing yet. Throws File_error.
+std::string place_of(const std::string& path);
 
 // The files that one run writes. All are written beside their places first and moved there together at the end; a run
 // that ends before leaves nothing, not even under another name where the file system knows files without names.

@@ -22,6 +22,7 @@ enum Exit_status
   NOT_VERIFIED = 2,
   NUMERICAL_FAILURE = 3,
   WRONG_USAGE = 64,
+  OUTPUT_LOST = 74,
   INTERRUPTED = 130
 };
 
@@ -66,8 +67,8 @@ Command add_generators(CLI::App& app);
 Command add_verify(CLI::App& app);
 
 // From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and
-// takes what it has written with it. Until then signals end the program at once, so that a read that blocks can be
-// ended.
+// takes what it has written with it; another ends the program at once. Until then the first does, so that a read that
+// blocks can be ended.
 void heed_interrupts();
 bool is_interrupted();
 

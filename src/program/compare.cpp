@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arguments.h"
+#include "check_paths.h"
 #include "cut.h"
 #include "files/read_result.h"
 #include "options.h"
@@ -77,6 +78,13 @@ Json report_distortion(const Distortion& d, Index flipped)
 
 int run_compare(const Compare_arguments& arguments)
 {
+  std::vector<std::string> read{arguments.mesh};
+  for (const std::string& cut : arguments.cuts)
+  {
+    const std::vector<std::string> of_cut = files_of_result(cut);
+    read.insert(read.end(), of_cut.begin(), of_cut.end());
+  }
+  check_paths(read, {arguments.report});
   const Polygon_soup soup = files::read_mesh(arguments.mesh);
   heed_interrupts();
   const Examination examination = examine_surface(soup, arguments.repair);

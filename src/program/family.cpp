@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_paths.h"
 #include "cut.h"
 #include "files/map_file.h"
 #include "files/write_mesh.h"
@@ -46,7 +47,7 @@ void check_family_paths(const Cut_arguments& arguments)
       written.push_back(numbered(path, i));
       if (path == arguments.out) { written.push_back(files::map_path(written.back(), arguments.map)); }
     }
-  check_paths(arguments, written);
+  check_paths(files_read_for(arguments), written);
 }
 
 Row measure(const std::string& name, const std::string& file, const Cut_result& result)

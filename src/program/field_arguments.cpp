@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "field_arguments.h"
-#include "files/Output_files.h"
+#include "check_paths.h"
 #include "files/map_file.h"
 #include "files/read_mesh.h"
 #include "files/read_values.h"
@@ -18,40 +18,16 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
-#include <set>
 #include <variant>
 
 namespace meridian {
 namespace program {
 
-void check_paths(const Field_arguments& a, const std::vector<std::string>& written,
-                 const std::vector<std::string>& read)
-{
-  const auto place = [](const std::string& path) {
-    return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
-  };
-  std::set<std::string> places;
-  std::vector<std::string> inputs{a.mesh, a.values, a.vertex_weights};
-  inputs.insert(inputs.end(), read.begin(), read.end());
-  for (const std::string& path : inputs)
-  {
-    if (!path.empty()) { places.insert(place(path)); }
-  }
-  for (const std::string& path : written)
-    if (!path.empty() && !places.insert(place(path)).second)
-      throw Usage_error(path
-                        + " would be written twice, or over a file that is read; give every file a name of its own");
-  files::Output_files none; // what cannot be written is found before anything is computed
-  for (const std::string& path : written)
-  {
-    if (!path.empty()) { none.add(path, ""); }
-  }
-}
+std::vector<std::string> files_read_for(const Field_arguments& a) { return {a.mesh, a.values, a.vertex_weights}; }
 
 void check_arguments(const Field_arguments& a)
 {
-  check_paths(a, {a.out, files::map_path(a.out, a.map), a.report, a.view, a.curves});
+  check_paths(files_read_for(a), {a.out, files::map_path(a.out, a.map), a.report, a.view, a.curves});
   const auto forbid = [](bool is_wrong, const char* message) {
     if (is_wrong) { throw Usage_error(message); }
   };

@@ -12,15 +12,16 @@
 #include <meridian/handles/preference.h>
 #include <meridian/surface/examine_surface.h>
 
+#include <string>
+#include <vector>
+
 namespace meridian {
 namespace program {
 
-// Throws Usage_error if two of the paths that are written are one file, or one is a file that is read, by what all
-// commands share or as given, and File_error if one cannot be written.
-void check_paths(const Field_arguments& arguments, const std::vector<std::string>& written,
-                 const std::vector<std::string>& read = {});
+// The paths of files that all of these commands read.
+std::vector<std::string> files_read_for(const Field_arguments& arguments);
 
-// The same for the paths of all commands, and Usage_error if options do not go together.
+// Throws as `check_paths()` does for the files of all commands, and Usage_error if options do not go together.
 void check_arguments(const Field_arguments& arguments);
 
 // Throws Usage_error if no face of the mesh has the vertex that an option names.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_paths.h"
 #include "commands.h"
 #include "files/Output_files.h"
 #include "options.h"
@@ -39,6 +40,7 @@ void print(const std::string& mesh, const Polygon_soup& soup, const Examination&
 
 int run_info(const Info_arguments& arguments)
 {
+  check_paths(arguments.meshes, {arguments.report});
   int status = VERIFIED;
   Json reports = Json::array();
   for (const std::string& mesh : arguments.meshes) try

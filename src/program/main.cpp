@@ -7,7 +7,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <csignal>
+#include <cstdio>
 #include <iostream>
 #include <new>
 #include <vector>
@@ -19,20 +22,37 @@ extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
+volatile std::sig_atomic_t heeded = 0, interrupted = 0;
 
-extern "C" void interrupt(int) { interrupted = 1; }
+// A run that does not end at once is asked to end at its next step; one that is asked again ends where it is.
+extern "C" void interrupt(int)
+{
+  if (heeded && !interrupted)
+  {
+    interrupted = 1;
+    return;
+  }
+  constexpr char message[] = "meridian: interrupted\n";
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, sizeof message - 1);
+  _exit(meridian::program::INTERRUPTED);
+}
+
+void listen_to_signals()
+{
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  std::signal(SIGPIPE, SIG_IGN); // writing fails, then, and is told of
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
+}
 
 } // namespace
 
 namespace meridian {
 namespace program {
 
-void heed_interrupts()
-{
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
-}
+void heed_interrupts() { heeded = 1; }
 
 bool is_interrupted() { return interrupted != 0; }
 
@@ -88,23 +108,15 @@ int run(const Command& command)
   }
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+int parse_and_run(int argc, char** argv)
 {
-  if (openblas_set_num_threads) { openblas_set_num_threads(1); }
-  // CHOLMOD asks for four threads, whatever their number is set to
-  if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
-
-  keep_memory();
-
   CLI::App app{"Cuts any triangle mesh into a disc along smooth curves, and proves with integers that it did.\n"
                "Meshes are OFF, OBJ, STL, PLY or VTP files, or gzip of these."};
   app.name("meridian");
   app.set_version_flag("--version", "meridian " MERIDIAN_VERSION);
   app.require_subcommand(1);
   app.footer("Exit status: 0 verified, 1 unusable input, 2 computed but not verified, 3 numerical failure, 64 wrong "
-             "usage, 130 interrupted.\n"
+             "usage, 74 standard output lost, 130 interrupted.\n"
              "Example: meridian cut elephant.off -o disc.obj --view disc.html");
   std::vector<Command> commands;
   for (const auto add :
@@ -126,4 +138,21 @@ int main(int argc, char** argv)
     if (*c.parser) { return run(c); }
   }
   return WRONG_USAGE;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (openblas_set_num_threads) { openblas_set_num_threads(1); }
+  // CHOLMOD asks for four threads, whatever their number is set to
+  if (omp_set_max_active_levels) { omp_set_max_active_levels(0); }
+
+  keep_memory();
+  listen_to_signals();
+  const int status = parse_and_run(argc, argv);
+  std::cout.flush();
+  const bool is_whole = std::cout.good();
+  if (std::fclose(stdout) == 0 && is_whole) { return status; }
+  return complain("standard output could not be written", OUTPUT_LOST);
 }

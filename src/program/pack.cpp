@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arguments.h"
+#include "check_paths.h"
 #include "end_run.h"
-#include "field_arguments.h"
 #include "files/Mesh_format.h"
 #include "files/Texture_text.h"
 #include "options.h"
@@ -108,7 +108,7 @@ void check(const Pack_arguments& a)
     }
   std::vector<std::string> written = a.out;
   written.push_back(a.report);
-  check_paths({}, written, a.meshes);
+  check_paths(a.meshes, written);
 }
 
 // All meshes in one texture.

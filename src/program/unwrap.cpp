@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arguments.h"
+#include "check_paths.h"
 #include "cut.h"
 #include "end_run.h"
 #include "files/Mesh_format.h"
@@ -118,9 +119,8 @@ std::vector<Unwrap_arguments> arguments_of_each(const Unwrap_arguments& a)
     const std::vector<std::string> own = written_for(each[i]);
     written.insert(written.end(), own.begin(), own.end());
   }
-  Field_arguments others = a;
-  others.mesh.clear();
-  check_paths(others, written, read);
+  for (const std::string& path : files_read_for(a)) { read.push_back(path); }
+  check_paths(read, written);
   return each;
 }
 

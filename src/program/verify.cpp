@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "check_paths.h"
 #include "commands.h"
 #include "files/Output_files.h"
 #include "files/read_result.h"
@@ -94,6 +95,9 @@ void print_summary(const Verification& v, const files::Result_files& result)
 
 int run_verify(const Verify_arguments& arguments)
 {
+  std::vector<std::string> read = files_of_result(arguments.result);
+  read.push_back(arguments.mesh);
+  check_paths(read, {arguments.report});
   const Polygon_soup input = files::read_mesh(arguments.mesh);
   const files::Result_files result = files::read_result(arguments.result);
   const files::Result_kind kind = result.kind;

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What goes wrong around the program: paths that lead to one file, streams that are full or closed, signals.
+#include <boost/test/unit_test.hpp>
+
+#include "support/run_program.h"
+#include "support/sample_surfaces.h"
+#include "support/written_meshes.h"
+
+#include <chrono>
+
+using namespace meridian;
+using written::contains;
+using written::obj;
+
+namespace {
+
+struct Fixture : program::Workplace
+{
+  Fixture() { write("mesh.obj", obj(sample::torus(12, 8))); }
+};
+
+} // namespace
+
+// Whatever a command reads, it does not write over: not under the same name, nor by a link of either kind.
+BOOST_FIXTURE_TEST_CASE(no_output_is_an_input, Fixture)
+{
+  BOOST_REQUIRE(meridian("unwrap mesh.obj -o result.obj").status == 0);
+  BOOST_REQUIRE(shell("mkdir sub; for f in mesh.obj result.obj result.map.json; do ln $f hard-$f; ln -s $f soft-$f; "
+                      "ln -s ../$f sub/$f; done")
+                  .status
+                == 0);
+  const std::size_t files = number_of_files();
+  const std::vector<std::string> inputs{"mesh.obj", "result.obj", "result.map.json"};
+  std::vector<std::string> before;
+  for (const std::string& input : inputs) { before.push_back(program::read(folder() / input)); }
+  for (const std::string& input : inputs)
+    for (const char* form : {"", "./", "hard-", "soft-", "sub/", "sub/../"})
+      for (const char* command :
+           {"verify mesh.obj result.obj --report ", "compare mesh.obj --cut result.obj --cut 0 --report ",
+            "info mesh.obj result.obj --report ", "cut mesh.obj -o ", "unwrap mesh.obj -o new.obj --report "})
+      {
+        const bool is_read = input == "mesh.obj" || std::string(command).find("result") != std::string::npos;
+        const bool is_map = input == "result.map.json" && std::string(command).find("info") == 0;
+        if (!is_read || is_map) { continue; }
+        const auto r = meridian(command + (form + input));
+        BOOST_TEST(r.status == 64, command << form << input << ": " << r.error);
+        BOOST_TEST(contains(r.error, "give every file a name of its own"));
+      }
+  for (std::size_t i = 0; i < inputs.size(); ++i) { BOOST_TEST((program::read(folder() / inputs[i]) == before[i])); }
+  BOOST_TEST(number_of_files() == files);
+}
+
+BOOST_FIXTURE_TEST_CASE(no_two_outputs_are_one_file, Fixture)
+{
+  BOOST_REQUIRE(shell("echo old >one.json; ln one.json two.json; ln -s nowhere.json dangling.json").status == 0);
+  BOOST_TEST(meridian("cut mesh.obj -o out.obj --report one.json --view two.json").status == 64);
+  BOOST_TEST(meridian("cut mesh.obj -o out.obj --report nowhere.json --view dangling.json").status == 64);
+  BOOST_TEST(program::read(folder() / "one.json") == "old\n");
+  BOOST_TEST(number_of_files() == 3u);
+  // where a link leads to nothing yet, that is what is written
+  BOOST_TEST(meridian("info mesh.obj --report dangling.json").status == 0);
+  BOOST_TEST(program::fs::is_symlink(folder() / "dangling.json"));
+  BOOST_TEST(contains(program::read(folder() / "nowhere.json"), "\"genus\": 1"));
+}
+
+BOOST_FIXTURE_TEST_CASE(paths_that_cannot_be_are_said_to_be_so, Fixture)
+{
+  BOOST_REQUIRE(shell("ln -s round.json round.json").status == 0);
+  for (const std::string& path : {std::string(300, 'x') + ".json", std::string("round.json"), std::string("mesh.obj/r"),
+                                  std::string("/dev/null"), std::string("no/such/folder/r.json")})
+  {
+    const auto r = meridian("info mesh.obj --report " + path);
+    BOOST_TEST(r.status == 1, path);
+    BOOST_TEST(r.error.find("meridian: " + path + ": ") == 0u, r.error);
+    BOOST_TEST(!contains(r.error, "internal error"));
+    BOOST_TEST(r.out == "");
+  }
+}
+
+// Where a stream leads to a file, that is an output like others.
+BOOST_FIXTURE_TEST_CASE(no_output_is_a_stream, Fixture)
+{
+  for (const char* to : {"one.txt", "/dev/stdout"})
+  {
+    const auto r = shell(std::string("'" MERIDIAN_PROGRAM "' info mesh.obj --report ") + to + " >one.txt");
+    BOOST_TEST(r.status == 64, to);
+    BOOST_TEST(contains(r.error, "give every file a name of its own"));
+  }
+}
+
+// Results that nobody got are no success.
+BOOST_FIXTURE_TEST_CASE(output_that_is_lost_is_told_of, Fixture)
+{
+  const std::string program = "'" MERIDIAN_PROGRAM "' ";
+  for (const char* arguments : {"info mesh.obj", "--help", "cut mesh.obj -o out.obj", "completion"})
+  {
+    const auto full = shell(program + arguments + " >/dev/full");
+    BOOST_TEST(full.status == 74, arguments);
+    BOOST_TEST(contains(full.error, "standard output could not be written"));
+    BOOST_TEST(shell(program + arguments + " >&-").status == 74, arguments);
+  }
+  BOOST_TEST(shell("{ sleep 0.3; " + program + "info mesh.obj; echo $? >status; } | true; sleep 1").status == 0);
+  BOOST_TEST(program::read(folder() / "status") == "74\n");
+  BOOST_TEST(shell(program + "cut mesh.obj -o out.obj --quiet >/dev/full").status == 0); // it had nothing to say
+}
+
+BOOST_FIXTURE_TEST_CASE(a_file_that_may_not_grow_is_an_error, Fixture)
+{
+  const std::size_t before = number_of_files();
+  const auto r = shell("ulimit -f 1; '" MERIDIAN_PROGRAM "' unwrap mesh.obj -o out.obj");
+  BOOST_TEST(r.status == 1);
+  BOOST_TEST(contains(r.error, "out.obj: cannot be written"));
+  BOOST_TEST(number_of_files() == before);
+}
+
+// While a file is read that never comes, and when a run is asked to end once more than once.
+BOOST_FIXTURE_TEST_CASE(signals_end_a_run_with_one_status, Fixture)
+{
+  BOOST_REQUIRE(shell("mkfifo pipe.off").status == 0);
+  for (const char* signal : {"INT", "TERM"})
+    for (const char* command : {"info pipe.off", "verify pipe.off mesh.obj", "cut pipe.off -o out.obj"})
+    {
+      const auto r =
+        shell(std::string("timeout --preserve-status -s ") + signal + " 0.3 '" MERIDIAN_PROGRAM "' " + command);
+      BOOST_TEST(r.status == 130, command << " " << signal);
+      BOOST_TEST(r.error == "meridian: interrupted\n");
+    }
+  write("large.obj", obj(sample::noisy(sample::plate(3, 60), 0.001, 1)));
+  const std::size_t before = number_of_files();
+  const auto twice = shell("'" MERIDIAN_PROGRAM "' unwrap large.obj -o out.obj --charts auto & p=$!; sleep 0.7; "
+                           "kill -TERM $p; kill -INT $p; wait $p");
+  BOOST_TEST(twice.status == 130);
+  BOOST_TEST(twice.error == "meridian: interrupted\n"); // the second did not wait for the run's next step
+  BOOST_TEST(number_of_files() == before);
+}
