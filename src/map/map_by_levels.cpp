@@ -239,8 +239,9 @@ void lower_distortion(const Triangle_surface& s, std::vector<Plane_point>& at, c
 {
   Distortion_minimizer minimizer(s, at, options, is_near);
   constexpr int few = 4;
-  constexpr double little = 1e-3; // to be gained by a step, on average of a few
-  std::array<double, few> gained; // by the last of them
+  constexpr double coarsely = 1e-3;
+  const double little = std::min(coarsely, options.least_gain); // to be gained by a step, on average of a few
+  std::array<double, few> gained;                               // by the last of them
   gained.fill(1);
   try
   {

@@ -65,6 +65,7 @@ Distortion_options distortion_options(const Map_options& options, Distortion_ene
   distortion.energy = energy;
   distortion.has_free_border = border == Map_border::FREE;
   distortion.make_solver = options.make_solver;
+  distortion.least_gain = options.least_gain;
   return distortion;
 }
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <meridian/proof/internal/Mesh_verifier.h>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <future>
 #include <iterator>
+#include <limits>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -24,6 +27,7 @@ bool Mesh_verifier::verify_mesh()
   m_report.components = m_in.counts;
   pairing.get();
   fail("faces of the input name a vertex that it does not have", m_in.damaged);
+  if (m_report.components.empty()) { m_report.failures.push_back("the input has no face, so nothing can be shown"); }
   if (!check_arrays()) { return false; }
   check_vertices();
   if (!find_triangles()) { return false; }
@@ -88,17 +92,25 @@ bool Mesh_verifier::is_same(const Point& p, const Point& q)
   return true;
 }
 
+// Whether barycentric coordinates are those of a point inside: to the rounding of a few sums.
+bool Mesh_verifier::is_inside(const std::array<double, 3>& weight)
+{
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  return weight[0] > 0 && weight[1] > 0 && weight[2] > 0 && std::abs(weight[0] + weight[1] + weight[2] - 1) <= rounding;
+}
+
 void Mesh_verifier::check_vertices()
 {
   const Result_mesh& r = m_result;
   const std::size_t n = m_input.points.size();
-  std::vector<Id> moved, wrong_copies, misplaced, doubled, fresh;
+  std::vector<Id> moved, outside, wrong_copies, misplaced, doubled, fresh;
   for (std::size_t i = 0; i < r.points.size(); ++i)
   {
     const Id v = static_cast<Id>(i);
     const auto p =
       position_of(r.origin[v], m_input.points, [&](Id t) -> const std::array<Id, 3>& { return m_in.triangles[t]; });
     if (!is_same(p, r.points[v])) { moved.push_back(v); }
+    if (r.origin[v].kind == Result_origin::FACE && !is_inside(r.origin[v].weight)) { outside.push_back(v); }
     if (r.copy_of[v] >= 0)
     {
       if (i < n || r.copy_of[r.copy_of[v]] >= 0 || !(r.origin[v] == r.origin[r.copy_of[v]]))
@@ -122,6 +134,7 @@ void Mesh_verifier::check_vertices()
   for (std::size_t i = 1; i < fresh.size(); ++i)
     if (key(fresh[i - 1]) == key(fresh[i]) && !is_crowded(fresh[i])) { doubled.push_back(fresh[i]); }
   fail("vertices are not at the position of their origin", moved);
+  fail("vertices inside faces have weights that are not positive, or that do not add up to 1", outside);
   fail("vertices are copies of the wrong vertex", wrong_copies);
   fail("vertices do not stand in the order of the input", misplaced);
   fail("vertices stand twice without being copies", doubled);
@@ -186,7 +199,7 @@ bool Mesh_verifier::find_triangles()
 // What is wrong with the division of the input's faces: faces of the result, and components that are turned over.
 struct Mesh_verifier::Faults
 {
-  std::vector<Id> turned, broken, holes, turned_over;
+  std::vector<Id> turned, broken, holes, folded, turned_over;
 };
 
 // The faces of the result in one triangle of the input.
@@ -259,6 +272,7 @@ void Mesh_verifier::check_subdivision()
   fail("faces are turned against their neighbours", faults.turned);
   fail("faces lack a neighbour that the input has", faults.holes);
   fail("faces of the input are not divided into a disc; it begins with faces of the result", faults.broken);
+  fail("faces have no area on the face of the input that they are a part of, or are folded over", faults.folded);
 }
 
 std::vector<Id> Mesh_verifier::find_input_sides() const
@@ -318,6 +332,10 @@ void Mesh_verifier::check_divisions(const std::vector<Id>& input_side, Faults& f
     const bool forward = division.rim.empty() || division.rim.front().from < division.rim.front().to;
     kept[m_in.component[t]] += forward ? 1 : -1;
     if (!division.turn_rim(forward)) { faults.turned.push_back(*first); }
+    for (auto f = first; f != last && last - first > 1; ++f)
+    {
+      if (orientation_in(*f, t) != (forward ? 1 : -1)) { faults.folded.push_back(*f); }
+    }
     if (!is_connected || !division.has_whole_rim(m_in.triangles[t])
         || !division.has_disc_count(static_cast<Id>(last - first)))
     {
@@ -350,6 +368,26 @@ void Mesh_verifier::collect_division(Face_iterator first, Face_iterator last, co
       division.rim.push_back(
         {k, along(corner(s), t, k), along(corner(next_side(s)), t, k), root(corner(s)), root(corner(next_side(s)))});
     }
+}
+
+// A disc whose rim is the triangle's, and whose faces all turn as the triangle does, covers it once.
+int Mesh_verifier::orientation_in(Id f, Id t) const
+{
+  using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
+  std::array<Vector, 3> at;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Result_origin& o = m_result.origin[m_result.faces[f][i]];
+    std::array<double, 3> place = o.weight; // homogeneous barycentric coordinates
+    for (int k = 0; k < 3 && o.kind != Result_origin::FACE; ++k)
+    {
+      const Id c = m_in.triangles[t][k];
+      const double second = o.kind == Result_origin::VERTEX ? 0 : o.weight[0];
+      place[k] = c == o.index[0] ? 1 - second : c == o.index[1] ? second : 0;
+    }
+    at[i] = Vector(place[0], place[1], place[2]);
+  }
+  return CGAL::orientation(at[0], at[1], at[2]);
 }
 
 double Mesh_verifier::along(Id v, Id t, int k) const

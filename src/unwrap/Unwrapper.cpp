@@ -33,6 +33,12 @@ Unwrapper::Unwrapper(const Triangle_surface& root, const Unwrap_options& options
 {
   // shorter seams stretch the map of a lattice by up to a tenth more
   if (!m_options.cut.tightening) { m_options.cut.tightening = Tightening::CURVES; }
+  if (m_options.max_stretch && *m_options.max_stretch > 1)
+  {
+    constexpr double part = 0.02; // of what is wanted that a map may miss
+    const double excess = *m_options.max_stretch * *m_options.max_stretch - 1;
+    m_options.map.least_gain = std::min(m_options.map.least_gain, part * excess);
+  }
 }
 
 Unwrapping Unwrapper::run()
@@ -365,7 +371,13 @@ bool Unwrapper::extend_to(const std::vector<Index>& vertices)
   const std::vector<Index> parents = extend_best(vertices, u);
   const std::string name = name_of_extension(vertices);
   const bool goes_on = go_on_from_best(u, parents);
-  if (!goes_on || !is_worthwhile(u) || u.map.distortion.stretch_l2 > fair_stretch)
+  // what is asked for below the default is worth both ways, unless one of them comes near it
+  const double before = m_best.map.distortion.stretch_l2, wanted = wanted_stretch();
+  const auto is_enough = [&] {
+    const double after = u.map.distortion.stretch_l2;
+    return after < fair_stretch && (wanted >= default_max_stretch || before - after > (before - wanted) / 2);
+  };
+  if (!goes_on || !is_worthwhile(u) || !is_enough())
   {
     Unwrapping other; // may be better from the beginning
     other.cut = u.cut;

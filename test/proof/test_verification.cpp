@@ -64,6 +64,42 @@ struct Fixture
     result.copy_of.push_back(root);
     return static_cast<Index>(result.points.size()) - 1;
   }
+  // Puts a new vertex on a triangle of the input, which is that of a face of the result, with these weights there.
+  void place_inside(Index v, Index triangle, const std::array<double, 3>& weight)
+  {
+    result.origin[v].kind = Result_origin::FACE;
+    result.origin[v].index[0] = triangle;
+    result.origin[v].weight = weight;
+    result.points[v] = position_of(result.origin[v], input.points, [&](Index t) {
+      return std::array{input.corner(t, 0), input.corner(t, 1), input.corner(t, 2)};
+    });
+  }
+  // Divides a face in three at a new vertex; the first part keeps its number, and its first two corners.
+  Index divide(std::size_t f, const std::array<double, 3>& weight)
+  {
+    const Index v = copy(0);
+    result.copy_of[v] = -1;
+    place_inside(v, result.face_of[f], weight);
+    const auto [a, b, c] = result.faces[f];
+    result.faces[f] = {a, b, v};
+    for (const std::array<Index, 3>& part : {std::array{b, c, v}, {c, a, v}})
+    {
+      result.faces.push_back(part);
+      result.face_of.push_back(result.face_of[f]);
+      result.component_of.push_back(result.component_of[f]);
+    }
+    return v;
+  }
+  // A face that is one of the input, and has no seam.
+  std::size_t whole_face() const
+  {
+    std::vector<int> parts(input.number_of_polygons(), 0);
+    for (Index polygon : result.face_of) { ++parts[polygon]; }
+    std::size_t f = 0;
+    const auto has_seam = [&](const auto& seam) { return seam[0] / 3 == Index(f) || seam[1] / 3 == Index(f); };
+    while (parts[result.face_of[f]] > 1 || std::any_of(result.seams.begin(), result.seams.end(), has_seam)) { ++f; }
+    return f;
+  }
   // An interior vertex of the disc, and a face at it.
   std::pair<Index, std::size_t> interior() const
   {
@@ -203,6 +239,63 @@ BOOST_FIXTURE_TEST_CASE(a_moved_vertex_is_caught_to_the_last_bit, Fixture)
   BOOST_REQUIRE(result.copy_of[fresh] < 0);
   result.points[fresh][1] = std::nextafter(result.points[fresh][1], 100);
   BOOST_TEST(is_caught("1 vertices are not at the position of their origin (first: " + std::to_string(fresh) + ")"));
+}
+
+BOOST_AUTO_TEST_CASE(nothing_is_not_verified)
+{
+  Polygon_soup points;
+  points.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  Result_mesh same;
+  same.points = points.points;
+  same.copy_of.assign(3, -1);
+  same.origin.resize(3);
+  for (Index v = 0; v < 3; ++v) { same.origin[v].index[0] = v; }
+  for (const auto& [input, result] : {std::pair(Polygon_soup(), Result_mesh()), {points, same}})
+  {
+    const Verification v = verify_cut(input, result);
+    BOOST_TEST_REQUIRE(v.failures.size() == 1u);
+    BOOST_TEST(v.failures.front() == "the input has no face, so nothing can be shown");
+  }
+}
+
+// The map and the positions are changed alike.
+BOOST_FIXTURE_TEST_CASE(weights_that_are_none_are_caught, Fixture)
+{
+  const double nothing = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t f = whole_face();
+  const Index v = divide(f, {0.25, 0.25, 0.5});
+  BOOST_TEST(verify_cut(input, result).failures.empty());
+  for (const std::array<double, 3>& weight : {std::array{3., -1., -1.},
+                                              {1., 0.5, 0.5},
+                                              {1e6, 1 - 1e6, 0.},
+                                              {1., 0., 0.},
+                                              {0.25, 0.25, 0.25},
+                                              {0.5, 0.5, 0.},
+                                              {0.4, 0.4, 0.2 + 1e-14},
+                                              {nothing, 0.5, 0.5}})
+  {
+    place_inside(v, result.face_of[f], weight);
+    BOOST_TEST(is_caught("vertices inside faces have weights that are not positive, or that do not add up to 1"));
+  }
+}
+
+// All that is counted there is that of a disc.
+BOOST_FIXTURE_TEST_CASE(faces_that_fold_are_caught, Fixture)
+{
+  const std::size_t f = whole_face();
+  const Index far = divide(f, {0.25, 0.25, 0.5});
+  const Index corner = result.faces[f][0]; // of the part that is divided again, and of the triangle
+  const std::array<double, 3> near{0.4375, 0.4375, 0.125};
+  divide(f, near);
+  BOOST_TEST(verify_cut(input, result).failures.empty());
+  BOOST_TEST(corner == input.corner(result.face_of[f], 0));
+  const char* const failure = "are folded over";
+  place_inside(far, result.face_of[f], {0.46875, 0.46875, 0.0625}); // beyond the other
+  BOOST_TEST(is_caught(failure));
+  place_inside(far, result.face_of[f], near); // on the other
+  BOOST_TEST(is_caught(failure));
+  place_inside(far, result.face_of[f], {0.4375, 0.4375 - 0x1p-52, 0.125 + 0x1p-52}); // a little above it
+  BOOST_TEST(verify_cut(input, result).failures.empty());
 }
 
 BOOST_FIXTURE_TEST_CASE(a_pinched_boundary_is_caught, Fixture)

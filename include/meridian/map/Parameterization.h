@@ -24,6 +24,8 @@ struct Map_options
   std::vector<Plane_point> polygon = {};
   /// for `SYMMETRIC_DIRICHLET`, `POSITIVE` and `STRETCH`
   Make_solver make_solver = make_symmetric_solver;
+  /// a map of low distortion is good enough when a step gains no more than this part of its energy
+  double least_gain = 1e-3;
 };
 
 /// \ingroup PkgMeridianParameterization

@@ -41,6 +41,7 @@ protected:
 
   // Bit for bit; text does not keep the payload of what is not a number.
   static bool is_same(const Point& p, const Point& q);
+  static bool is_inside(const std::array<double, 3>& weight);
 
   void check_vertices();
 
@@ -72,6 +73,9 @@ protected:
 
   // How far along side k of triangle t a vertex lies.
   double along(Id v, Id t, int k) const;
+
+  // The exact sign, -1, 0 or 1, of the area of a face on a triangle that it is a part of.
+  int orientation_in(Id face, Id t) const;
 
   // Which sides of the result share an edge.
   void pair_result();
