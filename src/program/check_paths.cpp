@@ -8,6 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <set>
 
 namespace meridian {
@@ -28,6 +30,12 @@ std::string identity_of(const std::string& path)
 
 void check_paths(const std::vector<std::string>& read, const std::vector<std::string>& written)
 {
+  const auto is_control = [](unsigned char c) { return std::iscntrl(c) != 0; };
+  for (const std::string& path : written)
+    if (std::any_of(path.begin(), path.end(), is_control))
+      throw Usage_error(
+        "the name of an output has a line break or another control character, which would end a line of "
+        "a file that names it");
   std::set<std::string> known;
   struct stat s;
   for (int stream : {STDOUT_FILENO, STDERR_FILENO}) // a file that they lead to is written, too

@@ -19,17 +19,6 @@ const char* const repair_help = "split edges with three or more faces instead of
 
 namespace {
 
-// Not for what is no number, which compares with nothing.
-CLI::Validator number_from(double low, double high, const std::string& meaning)
-{
-  return {[=](const std::string& text) {
-            double x = std::numeric_limits<double>::quiet_NaN();
-            const bool is_number = CLI::detail::lexical_cast(text, x);
-            return is_number && x >= low && x <= high ? std::string() : text + " is not " + meaning;
-          },
-          ""};
-}
-
 // The texels of a texture to the right and upwards, or nothing.
 std::optional<std::array<int, 2>> read_resolution(const std::string& text)
 {
@@ -74,6 +63,16 @@ void add_link_options(CLI::App& command, Cut_arguments& a)
 }
 
 } // namespace
+
+CLI::Validator number_from(double low, double high, const std::string& meaning)
+{
+  return {[=](const std::string& text) {
+            double x = std::numeric_limits<double>::quiet_NaN();
+            const bool is_number = CLI::detail::lexical_cast(text, x);
+            return is_number && x >= low && x <= high ? std::string() : text + " is not " + meaning;
+          },
+          ""};
+}
 
 void add_common_options(CLI::App& command, Common_arguments& a)
 {

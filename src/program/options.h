@@ -52,6 +52,9 @@ template <class Enum> CLI::Option* add_choice(CLI::App& command, const char* opt
     command, option, [&value](const Enum& chosen) { value = chosen; }, name_of(value), help);
 }
 
+// Checks that a value is a number in a range; "nan" is none. `meaning`: what it is.
+CLI::Validator number_from(double low, double high, const std::string& meaning);
+
 void add_common_options(CLI::App& command, Common_arguments& a);
 void add_field_options(CLI::App& command, Field_arguments& a);
 // `tightened`: what is, by itself; `unless`: when that is not so.

@@ -52,6 +52,10 @@ void check_unwrap_arguments(const Unwrap_arguments& a)
   forbid(a.has_border && a.border == Map_border::FREE && !improves_maps(a.parameterization),
          "this --parameterization needs a border; --border circle or square");
   forbid(!a.texture.empty() && files::ending_of(a.texture) != "png", "--png writes a PNG file; end its name with .png");
+  const auto has_blank = [](const std::string& path) { return path.find(' ', path.rfind('/') + 1) != path.npos; };
+  forbid(
+    !a.texture.empty() && (has_blank(a.out) || has_blank(a.texture)),
+    "with --png, OUT and the material beside it name each other's files, and a blank ends such a name; leave it out");
   const auto format = files::format_of(a.distortion);
   forbid(!a.distortion.empty() && !(format && files::holds_face_values(*format)),
          "--distortion writes PLY or VTP, which can hold values of faces");
@@ -442,13 +446,13 @@ Command add_unwrap(CLI::App& app)
   command
     ->add_option("--stretch-weight", a->stretch_weight,
                  "what is best: the least (1 - W) length + W stretch; with W > 0 links are varied too")
-    ->check(CLI::Range(0., 1.))
+    ->check(number_from(0, 1, "a number from 0 to 1"))
     ->type_name("W")
     ->capture_default_str();
   command
     ->add_option("--max-stretch", a->max_stretch,
-                 "extend the cut until the L2 stretch is at most S; otherwise until it is 1.1, where that gains enough")
-    ->check(CLI::Range(1., 1e300))
+                 "extend the cut until the L2 stretch is at most S; otherwise until it is 1.1, where it can be")
+    ->check(number_from(1, 1e300, "a number from 1 to 1e300"))
     ->type_name("S");
   command->add_flag("--shortest-seams", "extend the cut only where the L2 stretch is more than 2")
     ->excludes("--max-stretch");

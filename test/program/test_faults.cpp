@@ -77,6 +77,16 @@ BOOST_FIXTURE_TEST_CASE(paths_that_cannot_be_are_said_to_be_so, Fixture)
   }
 }
 
+BOOST_FIXTURE_TEST_CASE(names_that_would_end_a_line_are_refused, Fixture)
+{
+  const auto r = shell("'" MERIDIAN_PROGRAM "' unwrap mesh.obj -o \"$(printf 'a\\nf 1 2 3.obj')\" --png a.png");
+  BOOST_TEST(r.status == 64);
+  BOOST_TEST(contains(r.error, "line break"));
+  BOOST_TEST(number_of_files() == 1u);
+  BOOST_TEST(shell("mkdir 'a b'; '" MERIDIAN_PROGRAM "' unwrap mesh.obj -o 'a b/c.obj' --png 'a b/c.png'").status == 0);
+  BOOST_TEST(contains(program::read(folder() / "a b/c.mtl"), "map_Kd c.png\n"));
+}
+
 // Where a stream leads to a file, that is an output like others.
 BOOST_FIXTURE_TEST_CASE(no_output_is_a_stream, Fixture)
 {
