@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -98,11 +99,13 @@ public:
       m_pattern = std::move(pattern);
       analyze();
     }
+    require_memory();
     if (!m_factor) { return false; }
     cholmod_sparse matrix = view(m_pattern, &values);
     std::array<double, 2> added{0, 0};
-    return cholmod_factorize_p(&matrix, added.data(), nullptr, 0, m_factor, &m_common) != 0
-           && m_factor->minor == m_factor->n;
+    const bool is_done = cholmod_factorize_p(&matrix, added.data(), nullptr, 0, m_factor, &m_common) != 0;
+    require_memory();
+    return is_done && m_factor->minor == m_factor->n;
   }
 
   bool solve(const std::vector<double>& right, std::vector<double>& solution) override
@@ -115,6 +118,7 @@ public:
     b.xtype = CHOLMOD_REAL;
     b.dtype = CHOLMOD_DOUBLE;
     cholmod_dense* x = cholmod_solve(CHOLMOD_A, m_factor, &b, &m_common);
+    require_memory();
     if (!x) { return false; }
     const double* values = static_cast<const double*>(x->x);
     solution.assign(values, values + right.size());
@@ -123,6 +127,12 @@ public:
   }
 
 private:
+  // What there is no memory for has no other way: a result must not depend on how much there is.
+  void require_memory() const
+  {
+    if (m_common.status == CHOLMOD_OUT_OF_MEMORY || m_common.status == CHOLMOD_TOO_LARGE) { throw std::bad_alloc(); }
+  }
+
   // The lower triangle by rows is the upper one by columns.
   static Upper_pattern read(const Sparse_matrix& a, std::vector<double>& values)
   {

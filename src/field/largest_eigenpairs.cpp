@@ -6,6 +6,7 @@
 #include <Spectra/SymEigsSolver.h>
 
 #include <exception>
+#include <new>
 
 namespace meridian {
 
@@ -45,6 +46,10 @@ Eigenpairs largest_eigenpairs(Index n, const std::function<void(const double* in
     }
   }
   catch (const Solver_error&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
   {
     throw;
   }

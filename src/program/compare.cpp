@@ -3,6 +3,7 @@
 #include "check_paths.h"
 #include "cut.h"
 #include "files/read_result.h"
+#include "memory.h"
 #include "options.h"
 
 #include <meridian/base/Polygon_soup.h>
@@ -87,6 +88,7 @@ int run_compare(const Compare_arguments& arguments)
   check_paths(read, {arguments.report});
   const Polygon_soup soup = files::read_mesh(arguments.mesh);
   heed_interrupts();
+  reserve_memory_of_blas();
   const Examination examination = examine_surface(soup, arguments.repair);
   std::vector<std::string> failures;
   const auto first = read_cut(arguments.cuts[0], soup, examination, failures),

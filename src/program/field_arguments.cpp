@@ -4,6 +4,7 @@
 #include "files/map_file.h"
 #include "files/read_mesh.h"
 #include "files/read_values.h"
+#include "memory.h"
 
 #include <meridian/base/vectors.h>
 #include <meridian/curves/contours.h>
@@ -69,6 +70,7 @@ Loaded_mesh load_mesh(const Field_arguments& a, bool with_attributes)
   loaded.seconds_reading =
     timed([&] { loaded.soup = files::read_mesh(a.mesh, with_attributes ? &loaded.attributes : nullptr); });
   heed_interrupts();
+  reserve_memory_of_blas();
   loaded.seconds_examining = timed([&] {
     loaded.examination = examine_surface(loaded.soup, a.repair);
     for (Surface_component& c : loaded.examination.components)

@@ -143,3 +143,30 @@ BOOST_FIXTURE_TEST_CASE(signals_end_a_run_with_one_status, Fixture)
   BOOST_TEST(twice.error == "meridian: interrupted\n"); // the second did not wait for the run's next step
   BOOST_TEST(number_of_files() == before);
 }
+
+#ifndef __SANITIZE_ADDRESS__
+// With too little memory a run ends, and says so; nothing waits for more.
+BOOST_FIXTURE_TEST_CASE(limited_memory_is_an_error, Fixture)
+{
+  write("mesh.obj", obj(sample::noisy(sample::plate(3, 24), 0.01, 1)));
+  BOOST_REQUIRE(meridian("unwrap mesh.obj -o out.obj").status == 0);
+  const std::string unlimited = program::read(folder() / "out.obj");
+  shell("rm out.*");
+  const std::size_t before = number_of_files();
+  bool was_enough = false;
+  for (int megabytes : {60, 140, 220, 240, 260, 280, 300, 320, 340, 600})
+  {
+    const auto r = shell("ulimit -v " + std::to_string(1000 * megabytes)
+                         + "; timeout -s KILL 20 '" MERIDIAN_PROGRAM "' unwrap mesh.obj -o out.obj");
+    BOOST_TEST((r.status == 0 || r.status == 1), megabytes << " MB: " << r.status);
+    if (r.status == 1) { BOOST_TEST(r.error == "meridian: there is not enough memory for this mesh\n"); }
+    BOOST_TEST((r.status == 0 || number_of_files() == before));
+    BOOST_TEST((!was_enough || r.status == 0));
+    const std::string result = program::read(folder() / "out.obj");
+    BOOST_TEST((r.status != 0 || result == unlimited)); // nothing is made worse to go without
+    was_enough = r.status == 0;
+    shell("rm -f out.*");
+  }
+  BOOST_TEST(was_enough);
+}
+#endif
