@@ -259,7 +259,8 @@ void Chart_divider::extend_further()
 {
   constexpr double nearly = 1.5; // times what is wanted
   const double now = excess();
-  if (!m_extends || !is_automatic() || m_charts.size() > 1 || now > nearly * m_wanted) { return; }
+  const bool is_near = now > m_wanted && now <= nearly * m_wanted;
+  if (!m_extends || !is_automatic() || m_charts.size() > 1 || !is_near) { return; }
   State before = state();
   if (!extend(m_wanted)) { return; }
   map_charts();
