@@ -10,8 +10,8 @@ namespace program {
 // is kept.
 void keep_memory();
 
-// Takes the memory in which OpenBLAS works, where that is the BLAS of this system, while there is some: it asks for it at
-// its first call, again and again for ever if there is none. Throws std::bad_alloc.
+// Takes the memory in which OpenBLAS works, where that is the BLAS of this system, while there is some: it asks for it
+// at its first call, again and again for ever if there is none. Throws std::bad_alloc.
 void reserve_memory_of_blas();
 
 // From here on the largest arrays go back by themselves: where each is taken once, the gaps that they leave would be

@@ -28,6 +28,19 @@ namespace meridian {
 
 namespace internal {
 
+namespace {
+
+// The same cut, without its map.
+Unwrapping unmapped(const Unwrapping& u)
+{
+  Unwrapping other;
+  other.cut = u.cut;
+  other.extended = u.extended;
+  return other;
+}
+
+} // namespace
+
 Unwrapper::Unwrapper(const Triangle_surface& root, const Unwrap_options& options)
   : m_root(root), m_options(options), m_kept_out(kept_out_of(root, options)), m_area(area(root))
 {
@@ -91,9 +104,7 @@ void Unwrapper::cut_and_map()
   map(u);
   if (!u.map.flipped.empty() || u.map.distortion.stretch_l2 > fair_stretch)
   {
-    Unwrapping other; // may be better if it goes on from the map of the cut that is not extended
-    other.cut = u.cut;
-    other.extended = u.extended;
+    Unwrapping other = unmapped(u); // may be better if it goes on from the map of the cut that is not extended
     if (try_to_map(m_best).empty() && go_on_from_best(other, parents)
         && other.map.distortion.stretch_l2 < u.map.distortion.stretch_l2)
     {
@@ -379,9 +390,7 @@ bool Unwrapper::extend_to(const std::vector<Index>& vertices)
   };
   if (!goes_on || !is_worthwhile(u) || !is_enough())
   {
-    Unwrapping other; // may be better from the beginning
-    other.cut = u.cut;
-    other.extended = u.extended;
+    Unwrapping other = unmapped(u); // may be better from the beginning
     const std::string failure = try_to_map(other);
     if (!goes_on && !failure.empty()) { return note_failure(name, u, &Unwrapping::extensions, failure); }
     const bool is_better =
