@@ -19,7 +19,18 @@
 namespace meridian {
 namespace files {
 
-std::string read_bytes(const std::string& path)
+namespace {
+
+// How much of a file was read; 0 where the system cannot tell, as of a pipe.
+std::size_t size_of_packed(gzFile file)
+{
+  const z_off_t at = gzoffset(file);
+  return at > 0 ? static_cast<std::size_t>(at) : 0;
+}
+
+} // namespace
+
+std::string read_bytes(const std::string& path, std::size_t* size_on_disk)
 {
   errno = 0;
   // plain files pass through
@@ -38,7 +49,14 @@ std::string read_bytes(const std::string& path)
     const char* message = gzerror(file.get(), &status);
     if (got < 0 || (status != Z_OK && status != Z_STREAM_END))
       throw File_error(path + ": cannot be read: " + (status == Z_ERRNO ? std::strerror(errno) : message));
-    if (got == 0) { return bytes; }
+    const std::size_t size_read = gzdirect(file.get()) ? bytes.size() : size_of_packed(file.get());
+    if (bytes.size() > most_unpacked(size_read))
+      throw File_error(path + ": it unpacks to more than 100 times its size; if it is a mesh, unpack it first");
+    if (got == 0)
+    {
+      if (size_on_disk) { *size_on_disk = size_read; }
+      return bytes;
+    }
   }
 }
 
@@ -51,7 +69,7 @@ bool is_packed(const std::string& path)
 
 namespace {
 
-Polygon_soup parse(Mesh_format format, const std::string& bytes, Mesh_attributes* attributes)
+Polygon_soup parse(Mesh_format format, const std::string& bytes, std::size_t size_on_disk, Mesh_attributes* attributes)
 {
   switch (format)
   {
@@ -59,7 +77,7 @@ Polygon_soup parse(Mesh_format format, const std::string& bytes, Mesh_attributes
   case Mesh_format::OBJ: return read_obj(bytes, attributes);
   case Mesh_format::STL: return read_stl(bytes);
   case Mesh_format::PLY: return read_ply(bytes, attributes);
-  case Mesh_format::VTP: return read_vtp(bytes);
+  case Mesh_format::VTP: return read_vtp(bytes, size_on_disk);
   }
   return {};
 }
@@ -71,14 +89,18 @@ Polygon_soup read_mesh(const std::string& path, Mesh_attributes* attributes)
   const auto format = format_of(path);
   if (!format)
   {
-    throw File_error(path + ": unknown format '" + ending_of(path) + "'; use "
-                     + list_formats([](Mesh_format) { return true; }) + ", or gzip of these");
+    const std::string ending = ending_of(path);
+    throw File_error(
+      path + ": "
+      + (ending.empty() ? "the name has no ending, which tells the format" : "unknown format '" + ending + "'")
+      + "; use " + list_formats([](Mesh_format) { return true; }) + ", or gzip of these");
   }
-  const std::string bytes = read_bytes(path);
+  std::size_t size_on_disk = 0;
+  const std::string bytes = read_bytes(path, &size_on_disk);
   if (bytes.empty()) { throw File_error(path + ": the file is empty"); }
   try
   {
-    return parse(*format, bytes, attributes);
+    return parse(*format, bytes, size_on_disk, attributes);
   }
   catch (const File_error& e)
   {

@@ -4,6 +4,8 @@
 
 #include <meridian/base/Polygon_soup.h>
 
+#include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -24,8 +26,18 @@ struct File_error : std::runtime_error
 // No other format is ever welded. `attributes`, if given, receives what else an OBJ or PLY file holds.
 Polygon_soup read_mesh(const std::string& path, Mesh_attributes* attributes = nullptr);
 
-// The whole file, unpacked if it is gzip.
-std::string read_bytes(const std::string& path);
+// How many bytes a file of so many may unpack to. A mesh shrinks to a tenth or so; what shrinks a hundred times is no
+// mesh, and would fill the memory.
+constexpr std::size_t most_unpacked(std::size_t size)
+{
+  constexpr std::size_t ratio = 100, always = 16 << 20;
+  return size < (std::numeric_limits<std::size_t>::max() - always) / ratio ? ratio * size + always
+                                                                           : std::numeric_limits<std::size_t>::max();
+}
+
+// The whole file, unpacked if it is gzip; `size_on_disk`, if given, receives its size before. Throws File_error, also
+// where it unpacks to more than `most_unpacked`.
+std::string read_bytes(const std::string& path, std::size_t* size_on_disk = nullptr);
 
 // Whether the name ends with ".gz".
 bool is_packed(const std::string& path);

@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -20,30 +21,17 @@ namespace files {
 
 namespace {
 
-std::string decode_base64(std::string_view text, std::size_t& used)
+std::string decode_base64(std::string_view text)
 {
   static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
   unsigned buffer = 0;
-  int bits = 0, count = 0;
-  bool is_padded = false;
-  for (used = 0; used < text.size(); ++used)
+  int bits = 0;
+  for (const char c : text)
   {
-    const char c = text[used];
-    if (c == '=')
-    {
-      is_padded = true;
-      ++count;
-      continue;
-    }
+    if (c == '=') { break; }
     const std::size_t value = letters.find(c);
-    if (value == std::string::npos)
-    {
-      if (c == ' ' || c == '\n' || c == '\r' || c == '\t') { continue; }
-      throw File_error("VTP: bad base64 data");
-    }
-    if (is_padded && count % 4 == 0) { break; } // another block begins
-    ++count;
+    if (value == std::string::npos) { throw File_error("VTP: bad base64 data"); }
     buffer = buffer << 6 | static_cast<unsigned>(value);
     bits += 6;
     if (bits >= 8)
@@ -59,8 +47,9 @@ std::string decode_base64(std::string_view text, std::size_t& used)
 class Arrays
 {
 public:
-  Arrays(const pugi::xml_node& root, std::string_view appended, bool appended_is_raw)
-    : m_appended(appended), m_appended_is_raw(appended_is_raw),
+  Arrays(const pugi::xml_node& root, std::string_view appended, bool appended_is_raw, std::size_t size,
+         std::size_t most)
+    : m_stored_left(size), m_left(most), m_appended(appended), m_appended_is_raw(appended_is_raw),
       m_header_size(std::string_view(root.attribute("header_type").value()) == "UInt64" ? 8 : 4),
       m_is_packed(*root.attribute("compressor").value() != '\0')
   {
@@ -73,7 +62,7 @@ public:
                        + "' is not supported; write with zlib or none");
   }
 
-  std::vector<double> read(const pugi::xml_node& node) const
+  std::vector<double> read(const pugi::xml_node& node)
   {
     const std::string_view format = node.attribute("format").value(), type = node.attribute("type").value();
     std::vector<double> values;
@@ -103,42 +92,62 @@ private:
     std::memcpy(&x, bytes.data() + i * m_header_size, m_header_size);
     return x;
   }
-  std::string unpack_base64(std::string_view text) const
+  // The bytes that so many letters stand for.
+  static std::string decode(std::string_view text, std::size_t bytes)
   {
-    std::size_t first = 0;
-    while (first < text.size()
-           && (text[first] == ' ' || text[first] == '\n' || text[first] == '\r' || text[first] == '\t'))
-    {
-      ++first;
-    }
-    text.remove_prefix(first);
-    std::size_t used = 0;
-    if (!m_is_packed) { return unpack(decode_base64(text.substr(0, text.find_first_of(" \n\r\t<")), used)); }
-    // The header of packed data is encoded by itself.
-    const std::uint64_t blocks = header(decode_base64(text.substr(0, (m_header_size + 2) / 3 * 4), used), 0);
-    const std::size_t size = (m_header_size * (3 + static_cast<std::size_t>(blocks)) + 2) / 3 * 4;
-    if (size > text.size()) { throw File_error("VTP: the file ends too early"); }
-    return unpack(decode_base64(text.substr(0, size), used)
-                  + decode_base64(text.substr(size, text.substr(size).find_first_of(" \n\r\t<")), used));
+    const std::size_t letters = (bytes + 2) / 3 * 4;
+    if (letters > text.size()) { throw File_error("VTP: the file ends too early"); }
+    return decode_base64(text.substr(0, letters));
   }
-  std::string unpack(std::string_view bytes) const
+  // Takes so many bytes of what the arrays of a file may have: as they stand there, each is read once, and packed
+  // blocks do not make many of few.
+  void take(std::uint64_t stored, std::uint64_t size)
+  {
+    if (stored > m_stored_left) { throw File_error("VTP: several arrays lie in the same bytes"); }
+    if (size > m_left)
+      throw File_error(
+        "VTP: its arrays are more than 100 times the size of the file; if it is a mesh, write it without "
+        "compression");
+    m_stored_left -= stored;
+    m_left -= size;
+  }
+  std::string unpack_base64(std::string_view text)
+  {
+    text.remove_prefix(std::min(text.find_first_not_of(" \n\r\t"), text.size()));
+    text = text.substr(0, text.find_first_of(" \n\r\t<"));
+    const std::uint64_t first = header(decode(text, m_header_size), 0); // the size, or how many blocks there are
+    if (first > text.size()) { throw File_error("VTP: the file ends too early"); }
+    const auto count = static_cast<std::size_t>(first);
+    if (!m_is_packed) { return unpack(decode(text, m_header_size + count)); }
+    // The header of packed data is encoded by itself.
+    const std::size_t header_bytes = m_header_size * (3 + count);
+    const std::string sizes = decode(text, header_bytes);
+    std::uint64_t packed = 0;
+    for (std::size_t b = 0; b < count; ++b) { packed += std::min<std::uint64_t>(header(sizes, 3 + b), text.size()); }
+    if (packed > text.size()) { throw File_error("VTP: the file ends too early"); }
+    return unpack(sizes + decode(text.substr((header_bytes + 2) / 3 * 4), static_cast<std::size_t>(packed)));
+  }
+  std::string unpack(std::string_view bytes)
   {
     if (!m_is_packed)
     {
       const std::uint64_t size = header(bytes, 0);
       if (size > bytes.size() - m_header_size) { throw File_error("VTP: the file ends too early"); }
+      take(size, size);
       return std::string(bytes.substr(m_header_size, static_cast<std::size_t>(size)));
     }
     const std::uint64_t blocks = header(bytes, 0), block_size = header(bytes, 1), last_size = header(bytes, 2);
     if (block_size > (1u << 30) || last_size > block_size) { throw File_error("VTP: a block of impossible size"); }
-    std::string result;
     if (blocks > bytes.size() / m_header_size) { throw File_error("VTP: the file ends too early"); }
+    take(0, blocks == 0 ? 0 : (blocks - 1) * block_size + (last_size == 0 ? block_size : last_size));
+    std::string result;
     std::size_t at = m_header_size * (3 + static_cast<std::size_t>(blocks));
     for (std::uint64_t b = 0; b < blocks; ++b)
     {
       const std::size_t packed = static_cast<std::size_t>(header(bytes, 3 + static_cast<std::size_t>(b)));
       uLongf size = static_cast<uLongf>(b + 1 == blocks && last_size != 0 ? last_size : block_size);
       if (at > bytes.size() || packed > bytes.size() - at) { throw File_error("VTP: the file ends too early"); }
+      take(packed, 0);
       const std::size_t old = result.size();
       result.resize(old + size);
       if (uncompress(reinterpret_cast<Bytef*>(&result[old]), &size, reinterpret_cast<const Bytef*>(bytes.data() + at),
@@ -171,6 +180,7 @@ private:
     else { throw File_error("VTP: an array of type '" + std::string(type) + "' is not supported"); }
   }
 
+  std::uint64_t m_stored_left, m_left; // how many bytes more the arrays may have, as they stand there and unpacked
   std::string_view m_appended;
   bool m_appended_is_raw;
   std::size_t m_header_size;
@@ -199,9 +209,10 @@ Document split_document(const std::string& bytes)
   return d;
 }
 
-pugi::xml_node parse(pugi::xml_document& xml, const std::string& text)
+// Parses a text in its place, which must stay.
+pugi::xml_node parse(pugi::xml_document& xml, std::string& text)
 {
-  const pugi::xml_parse_result parsed = xml.load_buffer(text.data(), text.size());
+  const pugi::xml_parse_result parsed = xml.load_buffer_inplace(text.data(), text.size());
   if (!parsed)
   {
     throw File_error("VTP: " + std::string(parsed.description()) + " at byte " + std::to_string(parsed.offset));
@@ -218,7 +229,7 @@ pugi::xml_node parse(pugi::xml_document& xml, const std::string& text)
 class Piece_reader
 {
 public:
-  Piece_reader(const pugi::xml_node& piece, const Arrays& arrays, Polygon_soup& soup)
+  Piece_reader(const pugi::xml_node& piece, Arrays& arrays, Polygon_soup& soup)
     : m_piece(piece), m_arrays(arrays), m_soup(soup), m_base(static_cast<std::int32_t>(soup.points.size()))
   {}
 
@@ -273,7 +284,7 @@ private:
   }
 
   pugi::xml_node m_piece;
-  const Arrays& m_arrays;
+  Arrays& m_arrays;
   Polygon_soup& m_soup;
   std::int32_t m_base; // the first of the piece's points
   std::vector<std::int32_t> m_polygon;
@@ -281,12 +292,12 @@ private:
 
 } // namespace
 
-Polygon_soup read_vtp(const std::string& bytes)
+Polygon_soup read_vtp(const std::string& bytes, std::size_t size_on_disk)
 {
-  const Document document = split_document(bytes);
+  Document document = split_document(bytes);
   pugi::xml_document xml;
   const pugi::xml_node root = parse(xml, document.xml);
-  const Arrays arrays(root, document.appended, document.is_raw);
+  Arrays arrays(root, document.appended, document.is_raw, bytes.size(), most_unpacked(size_on_disk));
   Polygon_soup soup;
   for (const pugi::xml_node piece : root.child("PolyData").children("Piece"))
   {

@@ -36,6 +36,8 @@ void check_paths(const std::vector<std::string>& read, const std::vector<std::st
       throw Usage_error(
         "the name of an output has a line break or another control character, which would end a line of "
         "a file that names it");
+  if (std::count(written.begin(), written.end(), "-") != 0)
+    throw Usage_error("files are not written to standard output; a file of the name - is given as ./-");
   std::set<std::string> known;
   struct stat s;
   for (int stream : {STDOUT_FILENO, STDERR_FILENO}) // a file that they lead to is written, too

@@ -2,6 +2,7 @@
 #include "check_paths.h"
 #include "commands.h"
 #include "files/Output_files.h"
+#include "memory.h"
 #include "options.h"
 #include "report.h"
 
@@ -10,6 +11,7 @@
 
 #include <iostream>
 #include <memory>
+#include <new>
 
 namespace meridian {
 namespace program {
@@ -55,7 +57,8 @@ int run_info(const Info_arguments& arguments)
     }
     catch (const std::exception& e) // the others are still counted
     {
-      const std::string text = e.what();
+      const bool has_no_memory = dynamic_cast<const std::bad_alloc*>(&e) != nullptr;
+      const std::string text = has_no_memory ? not_enough_memory : e.what();
       const std::string message = text.compare(0, mesh.size(), mesh) == 0 ? text : mesh + ": " + text;
       std::cerr << "meridian: " << message << '\n';
       reports.push_back({{"meridian", MERIDIAN_VERSION}, {"input", {{"file", mesh}}}, {"error", message}});

@@ -98,7 +98,7 @@ int run(const Command& command)
   }
   catch (const std::bad_alloc&)
   {
-    return complain("there is not enough memory for this mesh", UNUSABLE_INPUT);
+    return complain(not_enough_memory, UNUSABLE_INPUT);
   }
   catch (const std::exception& e)
   {

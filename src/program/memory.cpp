@@ -5,7 +5,9 @@
 #include <malloc.h>
 #endif
 #include <sys/mman.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <new>
 #include <vector>
 
@@ -16,6 +18,9 @@ extern "C" void dgemm_(const char*, const char*, const int*, const int*, const i
 namespace meridian {
 namespace program {
 
+const char* const not_enough_memory =
+  "there is not enough memory for this mesh, or --max-memory allows less than it takes";
+
 void keep_memory()
 {
 #ifdef M_ARENA_MAX
@@ -25,11 +30,19 @@ void keep_memory()
 #endif
 }
 
+void limit_memory(std::uint64_t bytes)
+{
+  rlimit limit{};
+  if (getrlimit(RLIMIT_DATA, &limit) != 0) { return; }
+  limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
 void reserve_memory_of_blas()
 {
   if (!openblas_set_num_threads || !dgemm_) { return; }
   constexpr std::size_t size = 160 << 20; // more than it asks for
-  void* const trial = mmap(nullptr, size, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  void* const trial = mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (trial == MAP_FAILED) { throw std::bad_alloc(); }
   munmap(trial, size);
   constexpr int n = 128; // not so few that it does without

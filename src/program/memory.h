@@ -3,12 +3,20 @@
 #ifndef MERIDIAN_MEMORY_H
 #define MERIDIAN_MEMORY_H
 
+#include <cstdint>
+
 namespace meridian {
 namespace program {
+
+// What is said when there is none left.
+extern const char* const not_enough_memory;
 
 // Arrays are taken again and again: memory that is given back to the system each time costs up to half of a run. So it
 // is kept.
 void keep_memory();
+
+// Lets the run take so many bytes and no more, where the system can limit them: std::bad_alloc is thrown, then.
+void limit_memory(std::uint64_t bytes);
 
 // Takes the memory in which OpenBLAS works, where that is the BLAS of this system, while there is some: it asks for it
 // at its first call, again and again for ever if there is none. Throws std::bad_alloc.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "options.h"
 #include "arguments.h"
+#include "memory.h"
 
 #include <meridian/map/pack_charts.h>
 #include <meridian/proof/Padding.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
@@ -32,6 +34,20 @@ std::optional<std::array<int, 2>> read_resolution(const std::string& text)
   const auto is_side = [&](int n) { return n >= least && n <= most; };
   if (end != last || !is_side(sides[0]) || !is_side(sides[1])) { return std::nullopt; }
   return sides;
+}
+
+// The bytes that a whole number, or one of K, M or G, names; nothing if it is none.
+std::optional<std::uint64_t> read_size(const std::string& text)
+{
+  constexpr std::uint64_t most = 1ULL << 33;
+  const char* const last = text.data() + text.size();
+  std::uint64_t n = 0;
+  const auto [end, error] = std::from_chars(text.data(), last, n);
+  if (error != std::errc() || n == 0) { return std::nullopt; }
+  if (end == last) { return n; }
+  const std::size_t power = std::string("KMG").find(*end);
+  if (end + 1 != last || power == std::string::npos || n > most) { return std::nullopt; }
+  return n << 10 * (power + 1);
 }
 
 void add_preferences(CLI::App& command, Field_arguments& a)
@@ -78,6 +94,14 @@ void add_common_options(CLI::App& command, Common_arguments& a)
 {
   command.add_option("--report", a.report, "write everything that was counted and measured as JSON")->type_name("FILE");
   command.add_flag("--quiet", a.quiet, "print nothing but errors");
+  command
+    .add_option_function<std::string>(
+      "--max-memory", [](const std::string& text) { limit_memory(*read_size(text)); },
+      "end with an error rather than take more memory than this")
+    ->check(CLI::Validator(
+      [](const std::string& text) { return read_size(text) ? "" : "'" + text + "' is no size, such as 500M or 2G"; },
+      ""))
+    ->type_name("SIZE");
 }
 
 void add_field_options(CLI::App& command, Field_arguments& a)
