@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -106,6 +107,40 @@ std::vector<Edge_place> make_loop(const Triangle_surface& s, const std::vector<I
   return there;
 }
 
+// The loops that a closed strip of faces falls into where it returns to one of them: each has every face once.
+std::vector<std::vector<Edge_place>> simple_parts(const Triangle_surface& s, const std::vector<Edge_place>& strip)
+{
+  std::vector<std::vector<Edge_place>> parts;
+  std::vector<Edge_place> open;
+  std::map<Index, std::size_t> place; // of each face in `open`
+  for (const Edge_place& c : strip)
+  {
+    const auto known = place.find(s.face(c.halfedge));
+    if (known != place.end())
+    {
+      const auto first = open.begin() + static_cast<std::ptrdiff_t>(known->second);
+      parts.emplace_back(first, open.end());
+      for (auto at = first; at != open.end(); ++at) { place.erase(s.face(at->halfedge)); }
+      open.erase(first, open.end());
+    }
+    place[s.face(c.halfedge)] = open.size();
+    open.push_back(c);
+  }
+  parts.push_back(std::move(open));
+  return parts;
+}
+
+double length_of(const Triangle_surface& s, const std::vector<Edge_place>& crossings)
+{
+  double length = 0;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+  {
+    const Edge_place &a = crossings[i], &b = crossings[(i + 1) % crossings.size()];
+    length += distance(s.point_on(a.halfedge, a.t), s.point_on(b.halfedge, b.t));
+  }
+  return length;
+}
+
 } // namespace
 
 std::vector<Dual_loop> loops_at(const Triangle_surface& s, const Closed_model& g, Index base, std::vector<double>& far)
@@ -165,16 +200,12 @@ std::vector<Dual_loop> find_dual_loops(const Triangle_surface& s, int bases, std
     base = static_cast<Index>(std::max_element(far.begin(), far.end()) - far.begin());
     progress((i + 1.) / bases);
   }
-  for (const auto& crossings : others)
-  {
-    double length = 0;
-    for (std::size_t i = 0; i < crossings.size(); ++i)
+  for (const auto& strip : others)
+    for (auto& crossings : simple_parts(s, strip))
     {
-      const Edge_place &a = crossings[i], &b = crossings[(i + 1) % crossings.size()];
-      length += distance(s.point_on(a.halfedge, a.t), s.point_on(b.halfedge, b.t));
+      const double length = length_of(s, crossings);
+      all.push_back({std::move(crossings), length, length, {}});
     }
-    all.push_back({crossings, length, length, {}});
-  }
   std::stable_sort(all.begin(), all.end(), [](const Dual_loop& a, const Dual_loop& b) { return a.length < b.length; });
   for (Dual_loop& loop : all) { loop.parity = tree.parity_of(loop.crossings); }
   // Several rounds of the greedy choice, each from what the ones before left.

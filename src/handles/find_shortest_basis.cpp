@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -33,8 +34,8 @@ namespace internal {
 
 namespace {
 
-// A closed curve of the root on a refined surface: through the same faces of the root, from edge to edge. Between two
-// edges it takes the shortest way through the parts of a face.
+// A closed curve of the root, through each face once, on a refined surface: through the same faces of the root, from edge
+// to edge. Between two edges it takes the shortest way through the parts of a face, and so through each part once.
 class Loop_transfer
 {
 public:
@@ -123,25 +124,27 @@ private:
   std::vector<std::vector<Index>> m_parts; // of each face of the root
 };
 
-// Shortens a closed curve on its own. Returns its length.
-double tighten_loop(const Triangle_surface& s, std::vector<Edge_place>& loop, const Tighten_options& options)
+// A closed curve on its own, which crosses no edge twice.
+Normal_curves curve_of(const Triangle_surface& s, const std::vector<Edge_place>& loop)
 {
   Normal_curves curves(s, 1);
   std::vector<Crossing> steps;
   for (const Edge_place& c : loop) { steps.push_back({c.halfedge, 0, turn_fraction(s, c.halfedge, c.t)}); }
   curves.add(0, steps);
-  const double length = tighten_curve(curves, 0, options);
-  loop = places_of(curves, 0);
-  return length;
+  return curves;
 }
 
-// Places a closed curve on its own; it passes through no vertex that another one uses.
-Surface_curve place_loop(const Refined_surface& s, const std::vector<Edge_place>& loop)
+// Whether a closed curve runs through a face more than once: its crossings alone do not say in which order, then.
+bool returns_to_a_face(const Triangle_surface& s, const std::vector<Edge_place>& loop)
 {
-  Normal_curves curves(s, 1);
-  std::vector<Crossing> steps;
-  for (const Edge_place& c : loop) { steps.push_back({c.halfedge, 0, turn_fraction(s, c.halfedge, c.t)}); }
-  curves.add(0, steps);
+  std::set<Index> faces;
+  return !std::all_of(loop.begin(), loop.end(),
+                      [&](const Edge_place& c) { return faces.insert(s.face(c.halfedge)).second; });
+}
+
+// Places the one curve that is there; it passes through no vertex that another one uses.
+Surface_curve place_loop(const Refined_surface& s, const Normal_curves& curves)
+{
   std::vector<Piece_crossing> crossings;
   for (Index x : curves.crossings(0)) { crossings.push_back({curves[x], curves.edge(x)}); }
   return place_crossings(s, {crossings}, true,
@@ -178,33 +181,40 @@ std::vector<Dual_loop> tighten_and_choose(const Triangle_surface& root, std::vec
 {
   for (std::size_t i = 0; i < loops.size() && options.tighten; ++i)
   {
-    loops[i].length = tighten_loop(root, loops[i].crossings, options.tightening);
+    Normal_curves curves = curve_of(root, loops[i].crossings);
+    loops[i].length = tighten_curve(curves, 0, options.tightening);
+    std::vector<Edge_place> tightened = places_of(curves, 0);
+    if (!returns_to_a_face(root, tightened)) { loops[i].crossings = std::move(tightened); }
     run.progress(Stage::TIGHTEN, (i + 1.) / loops.size());
   }
   return choose_basis(std::move(loops), wanted);
 }
 
-// The new vertices on edges, by the edges' ends: how far from the first of them, and the vertex.
+// The new vertices on edges, by the edges' ends: the fraction of the way from the first of them, and the vertex.
 using Divided_edges = std::map<std::pair<Index, Index>, std::vector<std::pair<double, Index>>>;
 
 // Inserts a curve. Returns its vertices, and where it divides edges that were there.
 std::pair<std::vector<Index>, Divided_edges> insert_loop(const Triangle_surface& root, Refined_surface& s,
                                                          const Surface_curve& placed)
 {
-  std::vector<std::pair<Index, Index>> ends;
+  std::vector<std::pair<std::pair<Index, Index>, double>> places; // of each point: the ends of its edge, the fraction
   for (const Curve_point& p : placed.points)
   {
-    ends.emplace_back(p.is_vertex()
-                        ? std::make_pair(Index(-1), Index(-1))
-                        : std::pair<Index, Index>(std::minmax({s.source(p.halfedge), s.target(p.halfedge)})));
+    if (p.is_vertex())
+    {
+      places.push_back({{-1, -1}, 0});
+      continue;
+    }
+    const Index u = s.source(p.halfedge), v = s.target(p.halfedge);
+    places.emplace_back(std::minmax(u, v), u < v ? p.t : 1 - p.t);
   }
   std::vector<Index> vertices = insert_curves(root, s, {placed}).vertices.front();
   Divided_edges on;
-  for (std::size_t i = 0; i < ends.size(); ++i)
-    if (ends[i].first >= 0)
-    {
-      on[ends[i]].emplace_back(distance(s.points[ends[i].first], s.points[vertices[i]]), vertices[i]);
-    }
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const auto& [ends, fraction] = places[i];
+    if (ends.first >= 0) { on[ends].emplace_back(fraction, vertices[i]); }
+  }
   return {std::move(vertices), std::move(on)};
 }
 
@@ -234,10 +244,10 @@ void insert_loops(const Triangle_surface& root, const std::vector<Dual_loop>& lo
   Refined_surface& s = basis.surface;
   for (const Dual_loop& loop : loops)
   {
-    std::vector<Edge_place> crossings = Loop_transfer(root, s).transfer(loop.crossings);
-    if (options.tighten) { tighten_loop(s, crossings, options.tightening); }
+    Normal_curves curves = curve_of(s, Loop_transfer(root, s).transfer(loop.crossings));
+    if (options.tighten) { tighten_curve(curves, 0, options.tightening); }
     Generator_curve curve;
-    auto [vertices, on] = insert_loop(root, s, place_loop(s, crossings));
+    auto [vertices, on] = insert_loop(root, s, place_loop(s, curves));
     curve.vertices = std::move(vertices);
     for (Generator_curve& earlier : basis.loops) { earlier.vertices = refine_loop(earlier.vertices, on); }
     curve.length_found = loop.length_found;

@@ -24,6 +24,9 @@
 
 #include <boost/test/data/test_case.hpp>
 
+#include <cmath>
+#include <random>
+
 using namespace meridian;
 
 namespace {
@@ -157,6 +160,43 @@ BOOST_AUTO_TEST_CASE(short_bases_are_bases)
     BOOST_TEST(v.failures.size() == 0u);
     BOOST_TEST(v.curves.front().is_basis);
   }
+}
+
+// Loops run through faces and edges, and where they lie there is no part of it.
+BOOST_AUTO_TEST_CASE(short_bases_do_not_depend_on_where_points_are)
+{
+  for (const auto& [n, m] : {std::pair{3, 3}, {3, 4}, {5, 3}, {4, 4}})
+    for (int kind = 0; kind < 4; ++kind)
+      for (unsigned seed = 0; seed < (n * m == 9 ? 9u : 3u); ++seed)
+        for (bool tighten : {false, true}) BOOST_TEST_CONTEXT(n << " x " << m << " " << kind << " " << seed)
+          {
+            Triangle_surface s = sample::renumbered(sample::torus(n, m), seed);
+            std::mt19937 random(seed);
+            const auto fraction = [&] { return static_cast<double>(random()) / 4294967296.; };
+            for (Point& p : s.points)
+            {
+              if (kind == 0) { p = {1, 2, 3}; }
+              if (kind == 1) { p = {fraction(), 0, 0}; }
+              if (kind == 2) { p = {std::pow(10, 200 * fraction() - 100), 0, 0}; }
+              if (kind == 3) { p = {std::floor(3 * fraction()), std::floor(3 * fraction()), 0}; }
+            }
+            Basis_options options;
+            options.tighten = tighten;
+            const auto v = verify_generators(s, pipeline::basis(s, options));
+            BOOST_TEST(v.failures.size() == 0u);
+            BOOST_TEST(v.curves.front().is_basis);
+          }
+}
+
+// Of these points on a line a loop is shortest that runs through a face twice.
+BOOST_AUTO_TEST_CASE(short_bases_of_loops_that_return_to_a_face_are_bases)
+{
+  Triangle_surface s;
+  for (double x : {0.280, 0.603, 0.988, 0.880, 0.134, 0.854, 0.720, 0.090, 0.765}) { s.points.push_back({x, 0, 0}); }
+  s.triangles = {{7, 3, 1}, {7, 1, 6}, {6, 1, 0}, {6, 0, 8}, {8, 0, 3}, {8, 3, 7}, {3, 5, 4}, {3, 4, 1}, {1, 4, 2},
+                 {1, 2, 0}, {0, 2, 5}, {0, 5, 3}, {5, 7, 6}, {5, 6, 4}, {4, 6, 8}, {4, 8, 2}, {2, 8, 7}, {2, 7, 5}};
+  s = sample::connected(std::move(s));
+  BOOST_TEST(verify_generators(s, pipeline::basis(s)).curves.front().is_basis);
 }
 
 BOOST_AUTO_TEST_CASE(on_a_torus_the_meridian_is_a_handle_loop_and_the_longitude_a_tunnel_loop_however_it_lies)

@@ -22,7 +22,7 @@
 namespace meridian {
 namespace internal {
 
-// A closed strip of faces, and its class in the first homology of the closed model modulo 2.
+// A closed strip of faces, each of them once, and its class in the first homology of the closed model modulo 2.
 struct Dual_loop
 {
   std::vector<Edge_place> crossings;
