@@ -38,12 +38,12 @@ std::string read_bytes(const std::string& path, std::size_t* size_on_disk)
   if (!file) { throw File_error(path + ": cannot be opened: " + (errno ? std::strerror(errno) : "out of memory")); }
   gzbuffer(file.get(), 1 << 18);
   std::string bytes;
-  constexpr std::size_t step = 1 << 22;
+  constexpr std::size_t first_step = 1 << 16, last_step = 1 << 22;
   for (;;)
   {
-    const std::size_t size = bytes.size();
+    const std::size_t size = bytes.size(), step = std::clamp(size, first_step, last_step);
     bytes.resize(size + step);
-    const int got = gzread(file.get(), bytes.data() + size, step);
+    const int got = gzread(file.get(), bytes.data() + size, static_cast<unsigned>(step));
     bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));
     int status = Z_OK;
     const char* message = gzerror(file.get(), &status);
