@@ -188,7 +188,7 @@ private:
       else if (!at_a && !at_b)
       {
         const double p = turn(a.at, b.at, m_path.right[i]), q = turn(a.at, b.at, m_path.left[i]);
-        t = q - p > 0 ? std::min(std::max(-p / (q - p), 0.), 1.) : 0.5;
+        t = q - p > 0 ? std::min(std::max(0., -p / (q - p)), 1.) : 0.5; // 0 if they are infinite
       }
       m_path.fraction.push_back(t);
     }

@@ -186,11 +186,14 @@ Disc_hierarchy::Disc_hierarchy(const Triangle_surface& disc, Index few)
   for (Index h = 0; h < disc.number_of_halfedges(); ++h) { lengths.push_back(disc.length(h)); }
   const double longest_of_all = *std::max_element(lengths.begin(), lengths.end());
   std::nth_element(lengths.begin(), lengths.begin() + lengths.size() / 2, lengths.end());
-  constexpr double growth = 1.25; // of edges, from one sweep to the next
+  constexpr double growth = 1.25, jump = 1000; // of edges, from one sweep to the next; after many that found none
+  constexpr int patience = 30;
   double longest = growth * lengths[lengths.size() / 2];
+  if (!(longest > 0)) { longest = longest_of_all; } // there are no others than none
+  int idle = 0;
   Index wanted = disc.number_of_vertices() / 4; // on the next level
   const auto is_done = [&] { return 4 * wanted <= few; };
-  for (bool is_stuck = false; !is_stuck && !is_done(); longest *= growth)
+  for (bool is_stuck = false; !is_stuck && !is_done(); longest *= idle > patience ? jump : growth)
   {
     const std::size_t before = m_removals.size();
     for (Index v = 0; v < disc.number_of_vertices() && !is_done(); ++v)
@@ -205,7 +208,8 @@ Disc_hierarchy::Disc_hierarchy(const Triangle_surface& disc, Index few)
       m_levels.push_back({d.triangles(), m_removals.size()});
       wanted /= 4;
     }
-    is_stuck = m_removals.size() == before && longest > 100 * longest_of_all;
+    idle = m_removals.size() == before ? idle + 1 : 0;
+    is_stuck = idle > 0 && longest >= 100 * longest_of_all;
   }
   if (m_removals.size() > m_levels.back().removals) { m_levels.push_back({d.triangles(), m_removals.size()}); }
 }

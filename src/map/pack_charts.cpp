@@ -492,17 +492,48 @@ private:
 
 } // namespace internal
 
-double pack_charts(std::vector<Chart>& charts, const Pack_options& options)
+namespace {
+
+// The charts of which packing has flipped faces: rounding has shrunk them to nothing.
+std::vector<std::size_t> find_lost(const std::vector<Chart>& charts,
+                                   const std::vector<std::vector<Plane_point>>& placed)
+{
+  std::vector<std::size_t> lost;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+  {
+    const auto flips = [&](const auto& at) { return find_flipped_faces(*charts[i].triangles, at).size(); };
+    if (flips(placed[i]) > flips(charts[i].at)) { lost.push_back(i); }
+  }
+  return lost;
+}
+
+// Packs charts; those that would lose faces by it are not turned, and, if that is not enough, larger than in proportion.
+std::vector<std::vector<Plane_point>> place_charts(std::vector<Chart> charts, const Pack_options& options)
 {
   std::vector<char> may_turn(charts.size(), 1);
   auto placed = internal::Chart_packer(charts, may_turn, options).pack();
-  for (std::size_t i = 0; i < charts.size(); ++i)
-    may_turn[i] = find_flipped_faces(*charts[i].triangles, placed[i]).size()
-                  <= find_flipped_faces(*charts[i].triangles, charts[i].at).size();
-  if (std::count(may_turn.begin(), may_turn.end(), 0) > 0)
+  std::vector<std::size_t> lost = find_lost(charts, placed);
+  double largest = 0;
+  for (const Chart& c : charts) { largest = std::max(largest, c.area); }
+  for (double least : {0., 1e-8, 1e-4, 1.}) // parts of the largest area
   {
+    if (lost.empty()) { break; }
+    for (std::size_t i : lost)
+    {
+      may_turn[i] = 0;
+      charts[i].area = std::max(charts[i].area, least * largest);
+    }
     placed = internal::Chart_packer(charts, may_turn, options).pack();
+    lost = find_lost(charts, placed);
   }
+  return placed;
+}
+
+} // namespace
+
+double pack_charts(std::vector<Chart>& charts, const Pack_options& options)
+{
+  auto placed = place_charts(charts, options);
   double filled = 0;
   int tiles = 1;
   for (std::size_t i = 0; i < charts.size(); ++i)

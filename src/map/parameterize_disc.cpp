@@ -157,6 +157,52 @@ void measure(const Triangle_surface& disc, Parameterization& map)
   map.distortion = measure_distortion(disc.points, disc.triangles, map.at, map.faces);
 }
 
+// Into a circle, by nothing but what is joined to what: for lengths between which double precision cannot tell.
+std::vector<Plane_point> map_without_lengths(const Triangle_surface& disc, const Make_solver& make_solver)
+{
+  const auto loop = boundary_loops(disc).front();
+  std::vector<double> places;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    places.push_back(static_cast<double>(i) / static_cast<double>(loop.size()));
+  }
+  return map_into_polygon(disc, std::vector<double>(disc.number_of_halfedges(), 1), loop, place_on_circle(places),
+                          make_solver);
+}
+
+// The best of the maps that are tried.
+struct Best_map
+{
+  Parameterization map;
+  bool overlaps = false; // where no face is flipped
+
+  // Keeps a map if it is better than the one before. Returns whether the best is one-to-one.
+  bool consider(const Triangle_surface& disc, Map_method method, Map_border border, std::vector<Plane_point> at)
+  {
+    place_in_unit_square(at);
+    auto flipped = find_flipped_faces(disc.triangles, at);
+    const bool meets_itself = flipped.empty() && !is_one_to_one(disc, at);
+    map.attempts.push_back({method, border, static_cast<Index>(flipped.size()),
+                            meets_itself ? "no face is flipped, but the border meets itself" : ""});
+    if (map.at.empty() || flipped.size() < map.flipped.size() || (overlaps && flipped.empty() && !meets_itself))
+    {
+      overlaps = meets_itself;
+      map.at = std::move(at);
+      map.method = method;
+      map.border = border;
+      map.flipped = std::move(flipped);
+    }
+    return map.flipped.empty() && !overlaps;
+  }
+
+  Parameterization take(const Triangle_surface& disc)
+  {
+    if (map.at.empty()) { throw Solver_error("the disc has no map into the plane: " + map.attempts.back().reason); }
+    measure(disc, map);
+    return std::move(map);
+  }
+};
+
 } // namespace
 
 void check(const Map_options& o)
@@ -191,8 +237,8 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
   for (Map_border border : {options.border, options.polygon.empty() ? Map_border::CIRCLE : options.border})
     for (Map_method m : {Map_method::POSITIVE, Map_method::TUTTE, Map_method::STRETCH}) { add(m, border); }
 
-  Parameterization best;
-  bool has_no_levels = false, best_overlaps = false;
+  Best_map best;
+  bool is_enough = false, has_no_levels = false;
   for (const auto& [method, border] : choices)
   {
     std::vector<Plane_point> at;
@@ -207,30 +253,20 @@ Parameterization parameterize_disc(const Triangle_surface& disc, const Map_optio
     }
     if (!reason.empty())
     {
-      best.attempts.push_back({method, border, -1, reason});
+      best.map.attempts.push_back({method, border, -1, reason});
       has_no_levels = has_no_levels
                       || (method == Map_method::SYMMETRIC_DIRICHLET && border == Map_border::FREE
                           && disc.number_of_vertices() > most_at_once);
       continue;
     }
-    place_in_unit_square(at);
-    auto flipped = find_flipped_faces(disc.triangles, at);
-    const bool overlaps = flipped.empty() && !is_one_to_one(disc, at);
-    best.attempts.push_back({method, border, static_cast<Index>(flipped.size()),
-                             overlaps ? "no face is flipped, but the border meets itself" : ""});
-    if (best.at.empty() || flipped.size() < best.flipped.size() || (best_overlaps && flipped.empty() && !overlaps))
-    {
-      best_overlaps = overlaps;
-      best.at = std::move(at);
-      best.method = method;
-      best.border = border;
-      best.flipped = std::move(flipped);
-    }
-    if ((best.flipped.empty() && !best_overlaps) || has_no_levels) { break; }
+    is_enough = best.consider(disc, method, border, std::move(at));
+    if (is_enough || has_no_levels) { break; }
   }
-  if (best.at.empty()) { throw Solver_error("the disc has no map into the plane: " + best.attempts.back().reason); }
-  measure(disc, best);
-  return best;
+  if (!is_enough && !has_no_levels && options.polygon.empty())
+  {
+    best.consider(disc, Map_method::TUTTE, Map_border::CIRCLE, map_without_lengths(disc, options.make_solver));
+  }
+  return best.take(disc);
 }
 
 Parameterization improve_map(const Triangle_surface& disc, std::vector<Plane_point> at, const Map_options& options,

@@ -2,7 +2,7 @@
 #include <meridian/surface/Triangle_tree.h>
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/version.h>
 #if CGAL_VERSION_MAJOR >= 6 // which puts the dimension into these names
 #include <CGAL/AABB_traits_3.h>
@@ -18,7 +18,7 @@ namespace meridian {
 
 struct Triangle_tree::Boxes
 {
-  using Kernel = CGAL::Simple_cartesian<double>;
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel; // with less, rays meet what CGAL says cannot be
   using Triangles = std::vector<Kernel::Triangle_3>;
 #if CGAL_VERSION_MAJOR >= 6
   using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;

@@ -499,13 +499,17 @@ void Chart_divider::join_maps()
       all.attempts = c.map.attempts;
     }
     for (Index f : c.piece.faces) { m_result.chart_of[f] = static_cast<Index>(i); }
-    const std::size_t row = i / side;
-    const Plane_point low{static_cast<double>(i % side), static_cast<double>(row)};
-    const double size = largest > 0 ? scale[i] / largest : 1, field = static_cast<double>(side);
-    for (std::size_t v = 0; v < c.piece.vertices.size(); ++v)
-    {
-      all.at[c.piece.vertices[v]] = (1 / field) * (low + size * c.map.at[v]);
-    }
+    const Plane_point low{static_cast<double>(i % side), static_cast<double>(i / side)};
+    const double field = static_cast<double>(side);
+    const auto placed = [&](double size) {
+      std::vector<Plane_point> at;
+      for (const Plane_point& p : c.map.at) { at.push_back((1 / field) * (low + size * p)); }
+      return at;
+    };
+    std::vector<Plane_point> at = placed(largest > 0 ? scale[i] / largest : 1);
+    // so small that rounding would turn faces over
+    if (find_flipped_faces(c.piece.surface.triangles, at).size() > c.map.flipped.size()) { at = placed(1); }
+    for (std::size_t v = 0; v < at.size(); ++v) { all.at[c.piece.vertices[v]] = at[v]; }
   }
   const Triangle_surface& disc = m_result.disc;
   all.flipped = find_flipped_faces(disc.triangles, all.at);

@@ -159,6 +159,18 @@ BOOST_AUTO_TEST_CASE(a_disc_of_four_vertices_has_one_level)
   BOOST_TEST(internal::map_by_levels(square(2), Distortion_options(), {}).empty());
 }
 
+// Edges without length, or some that are a hundred powers of ten longer than others, once led to sweeps without end.
+BOOST_AUTO_TEST_CASE(levels_do_not_wait_for_lengths)
+{
+  for (double longest : {0., 1e-200, 1e100})
+  {
+    Triangle_surface disc = square(30);
+    for (std::size_t i = 0; i < disc.points.size(); ++i) { disc.points[i] = {i % 7 == 0 ? longest : 0., 0, 0}; }
+    const internal::Disc_hierarchy levels(disc, 20);
+    BOOST_TEST(levels.number_of_levels() >= 1U);
+  }
+}
+
 BOOST_DATA_TEST_CASE(from_coarse_to_fine_is_as_good_as_from_a_circle, boost::unit_test::data::xrange(3), which)
 {
   const Triangle_surface disc = disc_of(which == 0   ? sample::noisy(sample::torus(150, 110), 0.002, 2)

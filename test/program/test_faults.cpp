@@ -100,6 +100,23 @@ BOOST_FIXTURE_TEST_CASE(names_that_would_end_a_line_are_refused, Fixture)
   BOOST_TEST(contains(program::read(folder() / "a b/c.mtl"), "map_Kd c.png\n"));
 }
 
+// Meshes that were found at random and once failed; their first line says with which command.
+BOOST_FIXTURE_TEST_CASE(what_once_failed_is_verified, Fixture)
+{
+  int meshes = 0;
+  for (const auto& entry : program::fs::directory_iterator(MERIDIAN_FOUND))
+  {
+    const std::string path = entry.path().string(), text = program::read(path), mark = "# meridian ";
+    const std::size_t first = text.find(mark) + mark.size();
+    const std::string line = text.substr(first, text.find('\n') - first), command = line.substr(0, line.find(' '));
+    const auto r = meridian(command + " '" + path + "' -o out.obj" + line.substr(command.size()));
+    BOOST_TEST(r.status == 0, path << ": " << r.error);
+    BOOST_TEST(meridian("verify '" + path + "' out.obj").status == 0, path);
+    ++meshes;
+  }
+  BOOST_TEST(meshes >= 4);
+}
+
 // Where a stream leads to a file, that is an output like others.
 BOOST_FIXTURE_TEST_CASE(no_output_is_a_stream, Fixture)
 {
