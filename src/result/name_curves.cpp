@@ -4,7 +4,10 @@
 #include <meridian/base/vectors.h>
 #include <meridian/surface/Triangle_surface.h>
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
 namespace meridian {
 
@@ -32,6 +35,20 @@ void name_boundaries(const std::vector<Curves>& all, const Assembled_result& ass
     }
 }
 
+// A field by the vertices of the input; none where two fans of one vertex have values of their own.
+std::map<std::int32_t, double> field_on_input(const std::map<Index, double>& field, const Assembled_result& assembled,
+                                              const std::vector<Index>& place)
+{
+  std::map<std::int32_t, double> values;
+  for (const auto& [v, value] : field)
+  {
+    const Index copied = assembled.mesh.copy_of[place[v]];
+    const auto [known, is_new] = values.emplace(copied < 0 ? place[v] : copied, value);
+    if (!is_new && (known->second < value || known->second > value)) { return {}; }
+  }
+  return values;
+}
+
 } // namespace
 
 std::vector<Result_curve> name_curves(const std::vector<Generators>& all, const Assembled_result& assembled)
@@ -45,7 +62,7 @@ std::vector<Result_curve> name_curves(const std::vector<Generators>& all, const 
       curves.push_back(name_curve("meridian_" + number, pair.meridian.vertices, assembled.place[i]));
       curves.push_back(name_curve("longitude_" + number, pair.longitude.vertices, assembled.place[i]));
       if (pair.longitude.method != Curve_method::FLOW) { continue; }
-      for (const auto& [v, value] : pair.longitude.field) { curves.back().field.emplace(assembled.place[i][v], value); }
+      curves.back().field = field_on_input(pair.longitude.field, assembled, assembled.place[i]);
     }
   name_boundaries(all, assembled, curves);
   return curves;
