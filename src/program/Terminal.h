@@ -2,8 +2,6 @@
 #ifndef MERIDIAN_TERMINAL_H
 #define MERIDIAN_TERMINAL_H
 
-#include "commands.h"
-
 #include <meridian/base/Progress_observer.h>
 
 #include <unistd.h>
@@ -13,7 +11,7 @@
 namespace meridian {
 namespace program {
 
-// Shows the stage on a terminal, and ends the run when a signal came.
+// Shows the stage on a terminal.
 class Terminal : public Progress_observer
 {
 public:
@@ -34,7 +32,6 @@ public:
   {
     if (m_is_shown) { std::cerr << "\r\033[K" << m_place << name_of(stage) << " ..." << std::flush; }
   }
-  bool go_further() override { return !is_interrupted(); }
   void clear()
   {
     if (m_is_shown) { std::cerr << "\r\033[K" << std::flush; }

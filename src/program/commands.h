@@ -66,11 +66,9 @@ Command add_compare(CLI::App& app);
 Command add_generators(CLI::App& app);
 Command add_verify(CLI::App& app);
 
-// From the first call on, an interrupting signal only sets what the second tells, and the run ends at its next step and
-// takes what it has written with it; another ends the program at once. Until then the first does, so that a read that
-// blocks can be ended.
-void heed_interrupts();
-bool is_interrupted();
+// An interrupting signal ends the program where it is. From this call on it does no more: to be called before files are
+// moved to their places, which then is done with all of them.
+void hold_interrupts();
 
 } // namespace program
 } // namespace meridian

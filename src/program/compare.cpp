@@ -87,7 +87,6 @@ int run_compare(const Compare_arguments& arguments)
   }
   check_paths(read, {arguments.report});
   const Polygon_soup soup = files::read_mesh(arguments.mesh);
-  heed_interrupts();
   reserve_memory_of_blas();
   const Examination examination = examine_surface(soup, arguments.repair);
   std::vector<std::string> failures;
@@ -133,6 +132,7 @@ int run_compare(const Compare_arguments& arguments)
                                              {"components", components},
                                              {"failures", failures},
                                              {"verified", failures.empty()}}));
+    hold_interrupts();
     out.commit();
   }
   for (const std::string& failure : failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }

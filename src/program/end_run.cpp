@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "end_run.h"
 
-#include <meridian/base/exceptions.h>
-
 #include <iostream>
 
 namespace meridian {
@@ -11,7 +9,7 @@ namespace program {
 int end_run(const Common_arguments& arguments, const Verification& verification, files::Output_files& out,
             Terminal& terminal, const Last_words& words)
 {
-  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
+  hold_interrupts();
   out.commit();
   terminal.clear();
   for (const std::string& failure : verification.failures)

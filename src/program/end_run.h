@@ -24,7 +24,6 @@ struct Last_words
 };
 
 // Writes the files, all or none, and says what was found. Returns the exit status.
-// Throws Cancelled if a signal came: then nothing is written.
 int end_run(const Common_arguments& arguments, const Verification& verification, files::Output_files& out,
             Terminal& terminal, const Last_words& words);
 

@@ -166,7 +166,7 @@ int run_family(const Cut_arguments& arguments)
                     {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}}},
                     {"verified", is_verified}};
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
-  if (is_interrupted()) { throw Cancelled("interrupted; nothing was written"); }
+  hold_interrupts();
   out.commit();
   terminal.clear();
   if (!arguments.quiet)

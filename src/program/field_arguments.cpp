@@ -69,7 +69,6 @@ Loaded_mesh load_mesh(const Field_arguments& a, bool with_attributes)
   };
   loaded.seconds_reading =
     timed([&] { loaded.soup = files::read_mesh(a.mesh, with_attributes ? &loaded.attributes : nullptr); });
-  heed_interrupts();
   reserve_memory_of_blas();
   loaded.seconds_examining = timed([&] {
     loaded.examination = examine_surface(loaded.soup, a.repair);

@@ -22,17 +22,10 @@ extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
 
 namespace {
 
-volatile std::sig_atomic_t heeded = 0, interrupted = 0;
-
-// A run that does not end at once is asked to end at its next step; one that is asked again ends where it is.
+// Nothing has to be put in order: files have no name until the end, where signals are held.
 extern "C" void interrupt(int)
 {
-  if (heeded && !interrupted)
-  {
-    interrupted = 1;
-    return;
-  }
-  constexpr char message[] = "meridian: interrupted\n";
+  constexpr char message[] = "meridian: interrupted; nothing was written\n";
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, sizeof message - 1);
   _exit(meridian::program::INTERRUPTED);
 }
@@ -52,9 +45,14 @@ void listen_to_signals()
 namespace meridian {
 namespace program {
 
-void heed_interrupts() { heeded = 1; }
-
-bool is_interrupted() { return interrupted != 0; }
+void hold_interrupts()
+{
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  sigprocmask(SIG_BLOCK, &signals, nullptr);
+}
 
 } // namespace program
 } // namespace meridian
@@ -91,10 +89,6 @@ int run(const Command& command)
   catch (const meridian::Solver_error& e)
   {
     return complain(e.what(), NUMERICAL_FAILURE);
-  }
-  catch (const meridian::Cancelled& e)
-  {
-    return complain(e.what(), INTERRUPTED);
   }
   catch (const std::bad_alloc&)
   {

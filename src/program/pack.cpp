@@ -194,7 +194,6 @@ int run_pack(const Pack_arguments& a)
                       + " faces have no texture coordinates, and stay without");
     }
   }
-  heed_interrupts();
   const Packed packed = pack(a, texts);
   for (std::size_t i = 0; i < texts.size(); ++i) { written.push_back(texts[i].format(packed.texture[i])); }
   const Verification verification = recount(a, texts, written);
