@@ -12,7 +12,7 @@ rm -rf "$copy"
 mkdir -p "$copy"
 cp -rp CMakeLists.txt CMakePresets.json LICENSE include src test doc "$copy"
 perl test/mutation/plant.pl test/mutation/faults.tsv "$copy"
-cmake -S "$copy" -B build/mutate/build -G Ninja -DCMAKE_BUILD_TYPE=Release \
+cmake -S "$copy" -B build/mutate/build -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_DISABLE_FIND_PACKAGE_benchmark=ON \
   -DCMAKE_CXX_FLAGS="-include $PWD/test/mutation/planted.h" >/dev/null
 cmake --build build/mutate/build -j "$(nproc)" >build/mutate/log || { tail -30 build/mutate/log; exit 1; }
 

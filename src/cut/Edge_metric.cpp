@@ -4,7 +4,7 @@
 #include <meridian/base/exceptions.h>
 
 #include <cmath>
-#include <string>
+#include <sstream>
 
 namespace meridian {
 
@@ -17,9 +17,10 @@ std::vector<double> measure_edges(const Triangle_surface& s, const Edge_metric& 
     const double length = metric ? metric(s, h) : s.length(h);
     if (!(length >= 0) || !std::isfinite(length))
     {
-      throw Invalid_input_error("the edge between vertices " + std::to_string(s.source(h)) + " and "
-                                + std::to_string(s.target(h)) + " has the length " + std::to_string(length)
-                                + " by the metric that was given; it must be finite and not negative");
+      std::ostringstream message; // shows a number of any size in a few digits
+      message << "the edge between vertices " << s.source(h) << " and " << s.target(h) << " has the length " << length
+              << " by the metric that was given; it must be finite and not negative";
+      throw Invalid_input_error(message.str());
     }
     lengths[h] = length;
     if (s.opposite[h] >= 0) { lengths[s.opposite[h]] = length; }

@@ -304,6 +304,18 @@ void Chart_divider::divide()
   }
 }
 
+namespace {
+
+// Whether an arc is an edge of the border: of discs of two or three faces that may be the shortest one.
+bool is_on_border(const Triangle_surface& disc, const Surface_curve& arc)
+{
+  if (arc.points.size() != 2 || !arc.points[0].is_vertex() || !arc.points[1].is_vertex()) { return false; }
+  const Index v = arc.points[0].vertex, w = arc.points[1].vertex, h = disc.find_halfedge(v, w);
+  return h < 0 || disc.opposite[h] < 0;
+}
+
+} // namespace
+
 bool Chart_divider::divide(const std::vector<std::size_t>& which)
 {
   std::vector<Surface_curve> arcs;
@@ -324,7 +336,7 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
       chart.apart.clear();
       arc = find();
     }
-    chart.is_whole = arc.points.empty();
+    chart.is_whole = arc.points.empty() || is_on_border(chart.piece.surface, arc);
     if (!chart.is_whole) { arcs.push_back(carry_over(std::move(arc))); }
   }
   if (arcs.empty()) { return false; }
@@ -334,8 +346,9 @@ bool Chart_divider::divide(const std::vector<std::size_t>& which)
   Insertion done = insert_curves(m_root, m_result.cut.surface, arcs);
   add_curves(m_result.cut, Curve_kind::ARC, std::move(done.vertices));
   open_cut(m_result.cut);
+  const std::size_t charts = m_charts.size();
   update_charts(has_maps ? draw_curves(before, at, m_result.cut, done.parent) : std::vector<Plane_point>());
-  return true;
+  return m_charts.size() > charts;
 }
 
 bool Chart_divider::has_room(const Surface_curve& arc) const
