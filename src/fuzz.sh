@@ -1,6 +1,6 @@
 #!/bin/sh
 # Feeds everything that reads files with bytes made by libFuzzer, under sanitizers: src/fuzz.sh [MINUTES [READER...]].
-# So many minutes a reader, one at first, as many readers at once as there are processors. What is found lies in
+# So many minutes a reader, one at first (0.1 are six seconds), as many readers at once as there are processors. What is found lies in
 # build/fuzz/found; inputs that reach new code are kept in build/fuzz/corpus, and the next run goes on from them.
 set -e
 cd "$(dirname "$0")/.."
@@ -25,7 +25,7 @@ run_one() {
 }
 running=0
 for reader in $readers; do
-  run_one "$reader" $((60 * minutes)) &
+  run_one "$reader" "$(awk "BEGIN { print int(60 * $minutes) }")" &
   running=$((running + 1))
   [ $((running % $(nproc))) -ne 0 ] || wait
 done

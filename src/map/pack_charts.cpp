@@ -521,7 +521,7 @@ std::vector<std::vector<Plane_point>> place_charts(std::vector<Chart> charts, co
     for (std::size_t i : lost)
     {
       may_turn[i] = 0;
-      charts[i].area = std::max(charts[i].area, least * largest);
+      if (options.may_enlarge) { charts[i].area = std::max(charts[i].area, least * largest); }
     }
     placed = internal::Chart_packer(charts, may_turn, options).pack();
     lost = find_lost(charts, placed);

@@ -137,7 +137,9 @@ Packed pack(const Pack_arguments& a, const std::vector<files::Texture_text>& tex
       if (a.keep_scale) { chart.area = covered_area(chart); }
     }
   packed.charts = charts.size();
-  packed.filled = pack_charts(charts, a.packing);
+  Pack_options options = a.packing;
+  options.may_enlarge = !a.keep_scale;
+  packed.filled = pack_charts(charts, options);
   for (const Chart& c : charts)
     for (const Plane_point& p : c.at)
     {

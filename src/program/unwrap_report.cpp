@@ -115,6 +115,12 @@ std::vector<std::string> notes_of(const Unwrap_arguments& arguments, const std::
       notes.push_back(component + "the cut was extended to " + count_of(u.extended, "vertex", "vertices")
                       + " for a lower stretch");
     }
+    if (!u.map.flipped.empty())
+    {
+      notes.push_back(component + count_of(u.map.flipped.size(), "face is", "faces are")
+                      + " lost, as in a mesh whose edges differ by more than double precision can tell apart; collapse"
+                        " the shortest of them, or try --charts N");
+    }
   }
   for (const std::string& warning : warnings) { notes.push_back("warning: " + warning); }
   const std::size_t flipped = report["texture"]["flipped_in_single_precision"];

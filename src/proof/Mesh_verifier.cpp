@@ -370,7 +370,8 @@ void Mesh_verifier::collect_division(Face_iterator first, Face_iterator last, co
     }
 }
 
-// A disc whose rim is the triangle's, and whose faces all turn as the triangle does, covers it once.
+// A disc whose rim is the triangle's, and whose faces all turn as the triangle does, covers it once. 0 if a face has no
+// area there.
 int Mesh_verifier::orientation_in(Id f, Id t) const
 {
   using Vector = CGAL::Exact_predicates_inexact_constructions_kernel::Vector_3;
@@ -385,6 +386,7 @@ int Mesh_verifier::orientation_in(Id f, Id t) const
       const double second = o.kind == Result_origin::VERTEX ? 0 : o.weight[0];
       place[k] = c == o.index[0] ? 1 - second : c == o.index[1] ? second : 0;
     }
+    if (!std::isfinite(place[0]) || !std::isfinite(place[1]) || !std::isfinite(place[2])) { return 0; }
     at[i] = Vector(place[0], place[1], place[2]);
   }
   return CGAL::orientation(at[0], at[1], at[2]);

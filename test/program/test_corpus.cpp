@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr std::uintmax_t large_size = 1900000; // bytes of a packed file
-constexpr int small_mesh = 30000;              // faces
+constexpr int small_mesh = 12000;              // faces
 constexpr int middle_mesh = 120000;
 
 int failures = 0, passed = 0;

@@ -13,6 +13,9 @@
 #include <meridian/surface/Triangle_surface.h>
 #include <meridian/surface/examine_surface.h>
 
+#include <cstdint>
+#include <map>
+
 using namespace meridian;
 
 namespace {
@@ -195,6 +198,49 @@ BOOST_AUTO_TEST_CASE(loops_that_may_cross_are_judged_by_their_determinant)
   for (int k = 0; k <= 24; ++k) { path.push_back(Grid::at(0, k, std::min(k / 3, 8))); }
   path.erase(path.begin() + 24 + 1, path.end());
   BOOST_TEST(h.is_caught("determinant is neither 1 nor -1"));
+}
+
+// Three times, and once in the sum.
+BOOST_AUTO_TEST_CASE(a_pair_that_crosses_again_and_back_is_caught)
+{
+  Grid grid;
+  std::vector<Index> path;
+  for (const auto& [i, j] : {std::pair{-1, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 2}, {0, 2}})
+  {
+    path.push_back(Grid::at(0, i, j));
+  }
+  for (int i = 1; i <= Grid::n - 2; ++i) { path.push_back(Grid::at(0, i, 2)); }
+  for (const auto& [i, j] : {std::pair{-2, 1}, {-2, 0}, {-1, 0}}) { path.push_back(Grid::at(0, i, j)); }
+  grid.curves[1].points = path;
+  BOOST_TEST(grid.is_caught("share 3 vertices, not one"));
+}
+
+BOOST_AUTO_TEST_CASE(loops_are_a_basis_wherever_they_run)
+{
+  for (int i = 0; i < Grid::n; ++i)
+    for (int j = 0; j < Grid::m; ++j)
+    {
+      Grid grid;
+      grid.curves = {{"loop_0", Grid::along(0, j), {}}, {"loop_1", Grid::around(0, i), {}}};
+      BOOST_TEST(grid.failures().empty(), i << ", " << j);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(fields_that_do_not_rise_and_fall_once_are_caught)
+{
+  Grid grid;
+  std::map<std::int32_t, double>& field = grid.curves[1].field;
+  for (int i = 0; i < Grid::n; ++i) { field[Grid::at(0, i, 0)] = 2 * i <= Grid::n ? i : Grid::n - i + 0.5; }
+  BOOST_TEST(grid.failures().empty());
+  const auto with = [&](int i, double value) {
+    Grid other = grid;
+    other.curves[1].field[Grid::at(0, i, 0)] = value;
+    return other.is_caught("longitude_0 is said to be made of flow lines, and its field turns");
+  };
+  BOOST_TEST(with(3, 5.25)); // it falls in between
+  BOOST_TEST(with(7, 6));    // it is level at the top
+  field.erase(Grid::at(0, 5, 0));
+  BOOST_TEST(grid.is_caught("its field has no value at vertex"));
 }
 
 BOOST_AUTO_TEST_CASE(boundary_loops_are_counted_and_belong_to_the_basis)

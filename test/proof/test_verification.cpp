@@ -7,6 +7,8 @@
 #include <meridian/proof/verify_cut.h>
 #include <meridian/result/recount.h>
 
+#include <set>
+
 using namespace meridian;
 
 namespace {
@@ -327,12 +329,192 @@ BOOST_FIXTURE_TEST_CASE(copies_of_the_wrong_vertex_are_caught, Fixture)
   BOOST_TEST(is_caught("vertices are copies of the wrong vertex"));
 }
 
+BOOST_FIXTURE_TEST_CASE(a_copy_of_a_copy_is_caught, Fixture)
+{
+  const Index v = copy(0), w = copy(0);
+  BOOST_TEST(verify_cut(input, result).failures.empty());
+  result.copy_of[w] = v;
+  BOOST_TEST(is_caught("vertices are copies of the wrong vertex"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_vertex_that_stands_twice_without_being_a_copy_is_caught, Fixture)
+{
+  const Index v = copy(0);
+  result.copy_of[v] = -1;
+  BOOST_TEST(is_caught("vertices do not stand in the order of the input"));
+  result.copy_of[v] = 0;
+  const auto of_edge = std::find_if(result.origin.begin(), result.origin.end(),
+                                    [](const Result_origin& o) { return o.kind == Result_origin::EDGE; });
+  BOOST_REQUIRE((of_edge != result.origin.end()));
+  const Index w = copy(static_cast<Index>(of_edge - result.origin.begin()));
+  BOOST_TEST(verify_cut(input, result).failures.empty());
+  result.copy_of[w] = -1;
+  BOOST_TEST(is_caught("vertices stand twice without being copies"));
+}
+
+BOOST_FIXTURE_TEST_CASE(origins_that_are_none_are_caught, Fixture)
+{
+  const char* const failure = "vertices have a copy or an origin out of range";
+  const auto edge = [](const Result_origin& o) { return o.kind == Result_origin::EDGE; };
+  Result_origin& o = *std::find_if(result.origin.begin(), result.origin.end(), edge);
+  std::swap(o.index[0], o.index[1]); // the lower end comes first: positions are rounded from there
+  BOOST_TEST(is_caught(failure));
+  std::swap(o.index[0], o.index[1]);
+  const Index v = copy(0);
+  result.copy_of[v] = v; // itself
+  BOOST_TEST(is_caught(failure));
+  result.copy_of[v] = 0;
+  const std::array<Index, 3> twice{0, 0, 1}; // a face of the input that is left out
+  input.add_polygon(twice.data(), 3);
+  BOOST_TEST(verify_cut(input, result).failures.empty());
+  result.copy_of[v] = -1;
+  result.origin[v].kind = Result_origin::FACE;
+  result.origin[v].index[0] = static_cast<Index>(input.number_of_polygons()) - 1;
+  result.origin[v].weight = {0.25, 0.25, 0.5};
+  BOOST_TEST(is_caught(failure));
+}
+
 BOOST_FIXTURE_TEST_CASE(seams_that_join_the_wrong_sides_are_caught, Fixture)
 {
+  const auto seams = result.seams;
   std::swap(result.seams[0][1], result.seams[1][1]);
   BOOST_TEST(is_caught("seams join sides that were not one edge of the input"));
-  result.seams.push_back(result.seams.back());
-  BOOST_TEST(is_caught("seams use a side that another seam uses"));
+  for (std::size_t first : {0, 1})
+    for (std::size_t second : {0, 1}) // each side of a seam may be the one that comes again
+    {
+      result.seams = seams;
+      result.seams[1][second] = result.seams[0][first];
+      BOOST_TEST(is_caught("seams use a side that another seam uses"));
+    }
+}
+
+BOOST_FIXTURE_TEST_CASE(faces_in_another_component_or_chart_are_caught, Fixture)
+{
+  result.component_of[0] = 1;
+  BOOST_TEST(is_caught("faces are said to lie in a component that they do not lie in"));
+  result.component_of[0] = 0;
+  result.chart_of = result.component_of;
+  BOOST_TEST(verify_cut(input, result).failures.empty());
+  result.chart_of.push_back(0);
+  BOOST_TEST(is_caught("entries for the charts of faces"));
+  result.chart_of.pop_back();
+  result.chart_of[whole_face()] = 2;
+  BOOST_TEST(is_caught("faces are in another chart than what they are joined to"));
+}
+
+BOOST_FIXTURE_TEST_CASE(a_face_that_stands_twice_is_caught, Fixture)
+{
+  const std::size_t f = whole_face();
+  result.faces.push_back(result.faces[f]);
+  result.face_of.push_back(result.face_of[f]);
+  result.component_of.push_back(result.component_of[f]);
+  BOOST_TEST(is_caught("faces share an edge with two or more others"));
+}
+
+// Its corners are places on one side of a face of the input.
+BOOST_FIXTURE_TEST_CASE(a_face_along_a_side_is_caught, Fixture)
+{
+  bool was_tried = false;
+  for (std::size_t f = 0; f < result.faces.size() && !was_tried; ++f)
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const Result_origin& o = result.origin[result.faces[f][k]];
+      Index& next = result.faces[f][(k + 1) % 3];
+      if (was_tried || o.kind != Result_origin::EDGE || next != o.index[0]) { continue; }
+      result.faces[f][(k + 2) % 3] = o.index[1];
+      was_tried = true;
+    }
+  BOOST_TEST(was_tried);
+  BOOST_TEST(is_caught("faces do not lie on the face of the input that the map gives them"));
+}
+
+namespace {
+
+// Three squares along one edge, which are three sheets after they were repaired.
+struct Three_sheets : Fixture
+{
+  Three_sheets()
+  {
+    input = {};
+    input.points = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {-1, 1, 0}, {-1, 1, 1}, {-1, -1, 0}, {-1, -1, 1}};
+    for (const std::array<Index, 3>& t :
+         {std::array<Index, 3>{0, 2, 3}, {0, 3, 1}, {0, 5, 4}, {0, 1, 5}, {0, 6, 7}, {0, 7, 1}})
+    {
+      input.add_polygon(t.data(), 3);
+    }
+    result = pipeline::run(input, true).assembled.mesh;
+  }
+};
+
+} // namespace
+
+BOOST_FIXTURE_TEST_CASE(a_repaired_edge_of_three_faces_is_verified, Three_sheets)
+{
+  const auto v = verify_cut(input, result);
+  BOOST_TEST(v.failures.empty());
+  BOOST_TEST(v.components.size() == 3U);
+}
+
+BOOST_FIXTURE_TEST_CASE(sheets_that_were_kept_apart_and_are_joined_are_caught, Three_sheets)
+{
+  // the copies of one sheet become the vertices of another
+  std::vector<Index> copies;
+  for (std::size_t v = 0; v < result.points.size(); ++v)
+  {
+    if (result.copy_of[v] >= 0) { copies.push_back(static_cast<Index>(v)); }
+  }
+  BOOST_REQUIRE(copies.size() == 4U);
+  const std::set<Index> joined(copies.begin(), copies.begin() + 2);
+  for (auto& f : result.faces)
+    for (Index& v : f)
+    {
+      if (joined.count(v)) { v = result.copy_of[v]; }
+    }
+  BOOST_TEST(is_caught("faces share an edge with a face that is not their neighbour on the input"));
+}
+
+// Only across seams do neighbours show it: all faces of one chart are turned over.
+BOOST_AUTO_TEST_CASE(a_chart_that_is_turned_over_is_caught)
+{
+  const Triangle_surface s = sample::sheet(3, 1, [](double x, double y) { return Point{x, y, 0}; });
+  const Polygon_soup input = sample::soup(s);
+  Result_mesh result;
+  result.points = s.points;
+  result.faces = s.triangles;
+  for (std::size_t v = 0; v < s.points.size(); ++v)
+  {
+    result.copy_of.push_back(-1);
+    result.origin.emplace_back();
+    result.origin.back().index[0] = static_cast<Index>(v);
+  }
+  for (Index f = 0; f < s.number_of_faces(); ++f)
+  {
+    result.face_of.push_back(f);
+    result.component_of.push_back(0);
+    result.chart_of.push_back(f < 2 ? 0 : 1);
+  }
+  for (Index v : {1, 5}) // the edge between the first two squares is cut
+  {
+    result.points.push_back(s.points[v]);
+    result.origin.push_back(result.origin[v]);
+    result.copy_of.push_back(v);
+    for (std::size_t f = 0; f < 2; ++f)
+    {
+      std::replace(result.faces[f].begin(), result.faces[f].end(), v, static_cast<Index>(result.points.size()) - 1);
+    }
+  }
+  const Index a = s.find_halfedge(1, 5), b = s.find_halfedge(5, 1);
+  result.seams = {{std::min(a, b), std::max(a, b)}};
+  BOOST_TEST(verify_cut(input, result).failures.empty());
+  for (std::size_t f = 0; f < 2; ++f) { std::swap(result.faces[f][0], result.faces[f][2]); } // side k becomes 1 - k
+  for (Index& side : result.seams[0])
+  {
+    if (side / 3 < 2) { side = side - side % 3 + (4 - side % 3) % 3; }
+  }
+  const auto v = verify_cut(input, result);
+  BOOST_REQUIRE(!v.failures.empty());
+  BOOST_TEST(v.failures.front().find("faces are turned against their neighbours") != std::string::npos,
+             v.failures.front());
 }
 
 BOOST_FIXTURE_TEST_CASE(a_seam_that_is_not_listed_is_caught, Fixture)

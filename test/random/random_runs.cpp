@@ -137,13 +137,13 @@ Run make_run(unsigned seed)
 
 Judgement judge(const Run& run)
 {
-  constexpr int unusable = 1, missed = 2, numerical = 3, wrong_usage = 64, killed = 137;
+  constexpr int unusable = 1, missed = 2, numerical = 3, wrong_usage = 64, killed = 137, used_up = 152;
   const program::Workplace place;
   place.write("mesh.off", format_off(run.mesh));
-  const std::string program = "timeout -s KILL 20 '" MERIDIAN_PROGRAM "' ";
+  const std::string program = "ulimit -t 20; timeout -s KILL 200 '" MERIDIAN_PROGRAM "' ";
   const program::Result r = place.shell(program + run.line());
   const bool has_result = program::fs::exists(place.folder() / "out.obj");
-  if (r.status == killed) { return {Outcome::FAILED, too_long}; }
+  if (r.status == killed || r.status == used_up) { return {Outcome::FAILED, too_long}; }
   if (r.error.find("internal error") != std::string::npos) { return {Outcome::FAILED, r.error}; }
   if (r.status == unusable || r.status == wrong_usage)
   {

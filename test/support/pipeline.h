@@ -50,6 +50,9 @@ Generators classified(const Triangle_surface& s, const Generator_options& option
 Parameterization map(const Triangle_surface& disc, const Map_options& options = Map_options());
 Unwrapping unwrap(const Triangle_surface& s, const Unwrap_options& options = Unwrap_options());
 
+// What is wrong, or nothing.
+inline std::string first_failure(const Verification& v) { return v ? "" : v.failures.front(); }
+
 // A whole run, as the program does it.
 struct Run
 {
