@@ -261,12 +261,27 @@ BOOST_FIXTURE_TEST_CASE(broken_files_are_refused_with_the_place, Folder)
   BOOST_TEST(contains(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n"), "line 6"));
   BOOST_TEST(contains(message("a.off", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 2\n3 0 1 2\n"),
                       "face 0 is said to have 4 corners"));
+  BOOST_TEST(contains(message("a.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 0\n4 0 1 2\n3 0 1 2\n"),
+                      "face 0 is said to have 4 corners and has 3"));
+  BOOST_TEST(
+    contains(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"), "face 0 is said to have -3 corners"));
+  BOOST_TEST(contains(message("a.off", "OFF\n-1 0 0\n"), "the number of vertices is -1"));
+  BOOST_TEST(contains(message("a.off", "OFF\n0 -1 0\n"), "the number of faces is -1"));
   BOOST_TEST(contains(message("a.off", "hello"), "does not begin with 'OFF'"));
   BOOST_TEST(contains(message("a.obj", "v 0 0\n"), "fewer than three coordinates"));
   BOOST_TEST(contains(message("a.obj", "# nothing\n"), "neither vertices nor faces"));
   BOOST_TEST(
     contains(message("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"), "ends within a solid"));
+  BOOST_TEST(contains(message("a.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nendsolid x\n"),
+                      "ends within a solid"));
   BOOST_TEST(contains(message("a.stl", std::string(100, 'x')), "neither text nor binary STL"));
+  BOOST_TEST(contains(message("a.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float "
+                                       "y\nproperty float z\nelement face 1\nproperty list char int vertex_indices\n"
+                                       "end_header\n0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"),
+                      "has a list of impossible length"));
+  BOOST_TEST(contains(message("a.vtp", poly_data("", std::vector<std::string>(3, "format=\"appended\" offset=\"99\""),
+                                                 {"", "", ""}, "<AppendedData encoding=\"raw\">_ab</AppendedData>")),
+                      "an array lies past the end of the file"));
   BOOST_TEST(contains(message("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"),
                       "no x, y and z"));
   BOOST_TEST(contains(message("a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "

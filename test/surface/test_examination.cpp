@@ -170,11 +170,27 @@ BOOST_AUTO_TEST_CASE(points_that_are_not_finite_are_refused_where_a_face_uses_th
   soup.points.push_back({std::nan(""), 0, 0});
   BOOST_TEST(has_repair(examine_surface(soup), "1 vertices kept that no face uses"));
   soup.points[3][1] = std::nan("");
-  soup.points[5][2] = HUGE_VAL;
-  BOOST_TEST(message_of([&] {
-               examine_surface(soup);
-             }).find("2 vertices of faces have a coordinate that is not a finite number, or beyond 1e300 (first: 3, 5)")
-             != std::string::npos);
+  soup.points[5][2] = -1e301;
+  soup.points[6][0] = HUGE_VAL;
+  BOOST_TEST(
+    message_of([&] {
+      examine_surface(soup);
+    }).find("3 vertices of faces have a coordinate that is not a finite number, or beyond 1e300 (first: 3, 5, 6)")
+    != std::string::npos);
+}
+
+// Squares of lengths stay numbers.
+BOOST_AUTO_TEST_CASE(points_of_any_size_are_brought_to_scale)
+{
+  for (double size : {1e-200, 1e-60, 1e-40, 1., 1e40, 1e60, 1e200})
+  {
+    const auto e = examine_surface(sample::soup(sample::scaled(sample::plate(0), size)));
+    const Surface_component& c = e.components.front();
+    BOOST_TEST((c.unit == 1) == (size > 1e-50 && size < 1e50));
+    for (const Point& p : c.surface.points)
+      for (double x : p) { BOOST_TEST(std::abs(x) < 1e50); }
+    BOOST_TEST(c.unit * c.surface.length(0) == size * sample::plate(0).length(0), boost::test_tools::tolerance(1e-12));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(damaged_and_degenerate_faces_follow_stated_policies)
