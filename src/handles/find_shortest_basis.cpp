@@ -34,8 +34,8 @@ namespace internal {
 
 namespace {
 
-// A closed curve of the root, through each face once, on a refined surface: through the same faces of the root, from edge
-// to edge. Between two edges it takes the shortest way through the parts of a face, and so through each part once.
+// A closed curve of the root, through each face once, on a refined surface: through the same faces of the root, from
+// edge to edge. Between two edges it takes the shortest way through the parts of a face, and so through each part once.
 class Loop_transfer
 {
 public:

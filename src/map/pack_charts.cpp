@@ -507,7 +507,7 @@ std::vector<std::size_t> find_lost(const std::vector<Chart>& charts,
   return lost;
 }
 
-// Packs charts; those that would lose faces by it are not turned, and, if that is not enough, larger than in proportion.
+// Packs charts; those that would lose faces by it are not turned, and larger than in proportion if that is not enough.
 std::vector<std::vector<Plane_point>> place_charts(std::vector<Chart> charts, const Pack_options& options)
 {
   std::vector<char> may_turn(charts.size(), 1);

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -235,6 +236,7 @@ private:
   {
     const int vertices = std::stoi(m_files.mesh[1][0]), faces = std::stoi(m_files.mesh[1][1]);
     auto& face = m_files.mesh[2 + static_cast<std::size_t>(vertices + m_random.below(faces))];
+    if (std::set<std::string>(face.begin() + 1, face.end()).size() < 3) { return false; } // it is left out anyway
     const std::string value = std::to_string(m_random.below(vertices));
     const bool is_other = std::find(face.begin() + 1, face.end(), value) == face.end();
     face[1 + static_cast<std::size_t>(m_random.below(3))] = value;

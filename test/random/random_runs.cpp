@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the program on random meshes with random options, and counts each result twice: by `meridian verify` and by the
-// second recount. `random_runs FIRST COUNT` runs seeds FIRST to FIRST + COUNT - 1; each is a run that can be repeated. A
-// run that fails is made smaller, of its options and of its faces, and left in the current folder.
+// second recount. `random_runs FIRST COUNT` runs seeds FIRST to FIRST + COUNT - 1; each is a run that can be repeated.
+// A run that fails is made smaller, of its options and of its faces, and left in the current folder.
 #include "random/random_mesh.h"
 
 #include "recount/recount.h"

@@ -46,8 +46,8 @@ struct Pack_options
  * a horizon instead, which leaves bays empty). Several directions of the first chart and orders of all are tried on a
  * coarse grid, and the best of them on a fine one. Then the square is scaled to the unit square; or, with a density,
  * or if charts are fixed, which say the density, each chart goes into the first square that has a place for it. A chart
- * is not turned, and may be enlarged, if rounding would otherwise turn a face over. Charts may overlap themselves, and be
- * mirrored.
+ * is not turned, and may be enlarged, if rounding would otherwise turn a face over. Charts may overlap themselves, and
+ * be mirrored.
  *
  * \param charts the charts; their points are moved
  * \param options see there

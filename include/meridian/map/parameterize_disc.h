@@ -17,8 +17,8 @@ namespace meridian {
  * after another with a free border, then averages with positive weights, which flip nothing in exact arithmetic,
  * with uniform ones, and with weights changed until stretch is low; after a square, whose sides may hold all corners
  * of a face, a circle, unless a polygon is given; and at last a regular polygon, with uniform weights, where nothing
- * depends on lengths that double precision cannot tell apart. If a disc of more than 100 000 vertices has no map with a free
- * border, only one safer method is tried: the faces that it flips say where the cut should be extended.
+ * depends on lengths that double precision cannot tell apart. If a disc of more than 100 000 vertices has no map with a
+ * free border, only one safer method is tried: the faces that it flips say where the cut should be extended.
  *
  * \param disc the surface
  * \param options see there
