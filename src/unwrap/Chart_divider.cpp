@@ -512,7 +512,8 @@ void Chart_divider::join_maps()
       all.attempts = c.map.attempts;
     }
     for (Index f : c.piece.faces) { m_result.chart_of[f] = static_cast<Index>(i); }
-    const Plane_point low{static_cast<double>(i % side), static_cast<double>(i / side)};
+    const std::size_t row = i / side;
+    const Plane_point low{static_cast<double>(i % side), static_cast<double>(row)};
     const double field = static_cast<double>(side);
     const auto placed = [&](double size) {
       std::vector<Plane_point> at;

@@ -4,10 +4,12 @@
 //
 // test_corpus manifest  all meshes of the list but the largest
 // test_corpus large     the largest, and the folder xl
+// test_corpus generators  those of up to 120 thousand faces; `generators all` takes all, and the folder xl
 // test_corpus choices   small meshes of the list with every choice of a field, a preference, a method and so on;
-// `choices all` takes all test_corpus unwrap    small meshes of the list with texture coordinates; `unwrap all` takes
-// those of up to 120 thousand faces. Prints a table test_corpus bad       the folder bad: each is repaired and cut, or
-// refused with a reason
+//                       `choices all` takes all
+// test_corpus unwrap    small meshes of the list with texture coordinates, in a table; `unwrap all` takes those of up to
+//                       120 thousand faces
+// test_corpus bad       the folder bad: each is repaired and cut, or refused with a reason
 #include "support/run_program.h"
 
 #include <nlohmann/json.hpp>
@@ -149,14 +151,14 @@ void run_manifest(const fs::path& corpus, bool large)
     for (const auto& entry : fs::directory_iterator(corpus / "xl")) { cut(workplace, entry.path()); }
 }
 
-void run_generators(const fs::path& corpus)
+void run_generators(const fs::path& corpus, bool all)
 {
   const program::Workplace workplace;
   for (const auto& row : read_manifest(corpus / "MANIFEST.csv"))
   {
-    find_generators(workplace, corpus / row.at("file"));
+    if (all || std::stoi(row.at("F")) <= middle_mesh) { find_generators(workplace, corpus / row.at("file")); }
   }
-  if (fs::exists(corpus / "xl"))
+  if (all && fs::exists(corpus / "xl"))
     for (const auto& entry : fs::directory_iterator(corpus / "xl")) { find_generators(workplace, entry.path()); }
 }
 
@@ -242,7 +244,7 @@ void run_unwrap(const fs::path& corpus, bool all)
                "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const auto& row : read_manifest(corpus / "MANIFEST.csv"))
   {
-    constexpr int quick_mesh = 20000; // one a little larger takes two minutes
+    constexpr int quick_mesh = 15000; // all others take minutes
     if (std::stoi(row.at("F")) > (all ? middle_mesh : quick_mesh)) { continue; }
     const fs::path mesh = corpus / row.at("file");
     const std::string name = mesh.filename().string();
@@ -329,7 +331,7 @@ int main(int argc, char** argv)
   }
   const std::string set = argc > 1 ? argv[1] : "manifest";
   if (set == "bad") { run_bad(corpus); }
-  else if (set == "generators") { run_generators(corpus); }
+  else if (set == "generators") { run_generators(corpus, argc > 2 && std::string(argv[2]) == "all"); }
   else if (set == "unwrap") { run_unwrap(corpus, argc > 2 && std::string(argv[2]) == "all"); }
   else if (set == "choices") { run_choices(corpus, argc > 2 && std::string(argv[2]) == "all"); }
   else { run_manifest(corpus, set == "large"); }
