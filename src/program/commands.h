@@ -12,6 +12,11 @@ class App;
 }
 
 namespace meridian {
+
+namespace files {
+class Output_files;
+}
+
 namespace program {
 
 // The exit statuses of the program.
@@ -66,9 +71,9 @@ Command add_compare(CLI::App& app);
 Command add_generators(CLI::App& app);
 Command add_verify(CLI::App& app);
 
-// An interrupting signal ends the program where it is. From this call on it does no more: to be called before files are
-// moved to their places, which then is done with all of them.
-void hold_interrupts();
+// Moves files to their places. An interrupting signal ends the program where it is; from this call on it does no more,
+// so that all of them get there. Throws File_error.
+void commit(files::Output_files& out);
 
 } // namespace program
 } // namespace meridian

@@ -132,8 +132,7 @@ int run_compare(const Compare_arguments& arguments)
                                              {"components", components},
                                              {"failures", failures},
                                              {"verified", failures.empty()}}));
-    hold_interrupts();
-    out.commit();
+    commit(out);
   }
   for (const std::string& failure : failures) { std::cerr << "meridian: not verified: " << failure << '\n'; }
   return failures.empty() ? VERIFIED : NOT_VERIFIED;

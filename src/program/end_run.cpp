@@ -9,8 +9,7 @@ namespace program {
 int end_run(const Common_arguments& arguments, const Verification& verification, files::Output_files& out,
             Terminal& terminal, const Last_words& words)
 {
-  hold_interrupts();
-  out.commit();
+  commit(out);
   terminal.clear();
   for (const std::string& failure : verification.failures)
   {

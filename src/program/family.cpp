@@ -166,8 +166,7 @@ int run_family(const Cut_arguments& arguments)
                     {"seconds", {{"read", loaded.seconds_reading}, {"examine", loaded.seconds_examining}}},
                     {"verified", is_verified}};
   if (!arguments.report.empty()) { out.add(arguments.report, format_report(report)); }
-  hold_interrupts();
-  out.commit();
+  commit(out);
   terminal.clear();
   if (!arguments.quiet)
   {

@@ -68,8 +68,7 @@ int run_info(const Info_arguments& arguments)
   {
     files::Output_files out;
     out.add(arguments.report, format_report(reports.size() == 1 ? reports.front() : reports));
-    hold_interrupts();
-    out.commit();
+    commit(out);
   }
   return status;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands.h"
+#include "files/Output_files.h"
 #include "files/read_mesh.h"
 #include "memory.h"
 
@@ -45,13 +46,14 @@ void listen_to_signals()
 namespace meridian {
 namespace program {
 
-void hold_interrupts()
+void commit(files::Output_files& out)
 {
   sigset_t signals;
   sigemptyset(&signals);
   sigaddset(&signals, SIGINT);
   sigaddset(&signals, SIGTERM);
   sigprocmask(SIG_BLOCK, &signals, nullptr);
+  out.commit();
 }
 
 } // namespace program

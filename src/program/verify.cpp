@@ -133,8 +133,7 @@ int run_verify(const Verify_arguments& arguments)
                                              {"components", components},
                                              {"failures", v.failures},
                                              {"verified", static_cast<bool>(v)}}));
-    hold_interrupts();
-    out.commit();
+    commit(out);
   }
   for (const std::string& failure : v.failures) { std::cerr << "meridian: " << failure << '\n'; }
   if (!arguments.quiet) { print_summary(v, result); }

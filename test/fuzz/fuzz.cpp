@@ -41,7 +41,6 @@ public:
     std::ofstream(m_path / name, std::ios::binary) << bytes;
     return (m_path / name).string();
   }
-  std::string path_of(const std::string& name) const { return (m_path / name).string(); }
 
 private:
   std::filesystem::path m_path;

@@ -7,8 +7,8 @@
 // test_corpus generators  those of up to 120 thousand faces; `generators all` takes all, and the folder xl
 // test_corpus choices   small meshes of the list with every choice of a field, a preference, a method and so on;
 //                       `choices all` takes all
-// test_corpus unwrap    small meshes of the list with texture coordinates, in a table; `unwrap all` takes those of up to
-//                       120 thousand faces
+// test_corpus unwrap    small meshes of the list with texture coordinates, in a table; `unwrap all` takes those of up
+//                       to 120 thousand faces
 // test_corpus bad       the folder bad: each is repaired and cut, or refused with a reason
 #include "support/run_program.h"
 

@@ -199,7 +199,7 @@ private:
   bool leave_out_or_repeat(const std::string& key, bool repeats)
   {
     const auto* words = line(m_files.result, key);
-    if (!words || (key == "l" && *words == m_files.result.front())) { return false; }
+    if (!words) { return false; }
     const auto at = m_files.result.begin() + (words - m_files.result.data());
     if (repeats) { m_files.result.insert(at, std::vector<std::string>(*at)); }
     else { m_files.result.erase(at); }
@@ -295,8 +295,7 @@ struct Count
 int main(int argc, char** argv)
 {
   using namespace random_runs;
-  const unsigned first = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 1;
-  const unsigned wanted = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 300;
+  const auto [first, wanted] = read_arguments(argc, argv);
   std::map<std::string, Count> counts;
   unsigned altered = 0, unaltered = 0, wrong = 0;
   const program::Workplace place;

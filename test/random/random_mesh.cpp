@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <map>
 #include <set>
@@ -203,6 +204,14 @@ std::string format_off(const Mesh& mesh)
     text += '\n';
   }
   return text;
+}
+
+Arguments read_arguments(int argc, char** argv)
+{
+  const auto number = [&](int i, unsigned otherwise) {
+    return argc > i ? static_cast<unsigned>(std::atoi(argv[i])) : otherwise;
+  };
+  return {number(1, 1), number(2, 300)};
 }
 
 } // namespace random_runs

@@ -36,6 +36,13 @@ Mesh random_mesh(Random& random);
 
 std::string format_off(const Mesh& mesh);
 
+// What a program is asked for: FIRST and COUNT, by themselves 1 and 300.
+struct Arguments
+{
+  unsigned first, count;
+};
+Arguments read_arguments(int argc, char** argv);
+
 } // namespace random_runs
 
 #endif // MERIDIAN_TEST_RANDOM_MESH_H

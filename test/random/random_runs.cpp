@@ -196,8 +196,7 @@ void reduce(Run& run)
 int main(int argc, char** argv)
 {
   using namespace random_runs;
-  const unsigned first = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 1;
-  const unsigned count = argc > 2 ? static_cast<unsigned>(std::atoi(argv[2])) : 300;
+  const auto [first, count] = read_arguments(argc, argv);
   std::map<Outcome, unsigned> outcomes;
   for (unsigned seed = first; seed < first + count; ++seed)
   {
